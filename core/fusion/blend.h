@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/fusion/combined_tile.h"
+#include "core/fusion/fcf.h"
+
+namespace graftsman {
+
+/// Writes v = f(s) v¹ + (1 − f(s)) v² (Kanai et al. 1999, Eq. 1) for every vertex of the combined tile into
+/// out[target[i]]. Exactly v² where f is 0 and v¹ where it is 1. Cannot fail, allocates nothing;
+/// memory-bound.
+void blend(const CombinedTile& combined, const FCF& fcf, std::span<const Index> target, std::span<Point> out);
+
+}  // namespace graftsman

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/fusion/adjustment.h"
+#include "core/fusion/cut.h"
+#include "core/fusion/embedding.h"
+#include "core/fusion/fcf.h"
+#include "core/fusion/join.h"
+#include "core/fusion/loop.h"
+#include "core/fusion/paths.h"
+#include "core/fusion/tile.h"
+
+namespace graftsman {
+
+/// Everything that a person can change about a fusion. A value; the meshes are shared.
+struct FusionInputs {
+  std::shared_ptr<const TriangleMesh> part;
+  std::shared_ptr<const TriangleMesh> base;
+  Loop loop;
+  PathMode paths = PathMode::Straightened;
+  TileOptions tile;
+  AdjustmentSettings adjustment;
+  EmbeddingSettings embedding;
+  FCF fcf;
+};
+
+/// The result's mesh: positions of their own, faces shared with the join.
+struct FusedMesh {
+  std::vector<Point> points;
+  std::shared_ptr<const Join> join;
+
+  [[nodiscard]] const std::vector<Face>& faces() const { return join->faces; }
+};
+
+/// The stages in the order in which they run.
+enum class Stage { Anchor, Paths, Cut, Tile, Adjust, Embed, Overlay, Join, Blend };
+inline constexpr int kStageCount = 9;
+
+/// What one mesh's own stages made.
+struct SideResults {
+  std::shared_ptr<const AnchoredLoop> anchored;
+  std::shared_ptr<const LoopPaths> paths;
+  std::shared_ptr<const graftsman::Cut> cut;
+  std::shared_ptr<const graftsman::Tile> tile;
+  std::shared_ptr<const Embedding> embedding;
+};
+
+/// Everything computed of a fusion. Immutable objects, shared from one update to the next where nothing
+/// changed.
+struct FusionResults {
+  FusionInputs inputs;  // of this run
+  SideResults part;
+  SideResults base;
+  std::shared_ptr<const Adjustment> adjustment;
+  std::shared_ptr<const CombinedTile> combined;
+  std::shared_ptr<const graftsman::Join> join;
+  std::shared_ptr<const FusedMesh> fused;
+  std::optional<Error> error;                         // why `fused` is missing, and at which stage
+  Stage failedAt = Stage::Anchor;                     // meaningful with `error`
+  std::array<double, kStageCount> milliseconds = {};  // of each stage in this run; 0 where it was reused
+  std::array<bool, kStageCount> ran = {};             // whether any of the stage ran in this run
+};
+
+/// Runs the stages that the inputs need (DESIGN.md §3): a stage runs only when one of its inputs is not the
+/// very object (or, for settings, not equal to the value) that it had in `previous`. On an error or a cancel
+/// the stages that did finish are returned, so that the next update goes on from there. Pure: depends on
+/// nothing else, changes nothing. Exceptions of libraries and bad_alloc come back as Unexpected and
+/// OutOfMemory.
+[[nodiscard]] FusionResults update(const FusionInputs& inputs, const FusionResults& previous,
+                                   const Progress& progress);
+
+/// "paths", "cut", …: the stage's name in reports and messages.
+[[nodiscard]] const char* name(Stage stage);
+
+}  // namespace graftsman

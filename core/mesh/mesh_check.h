@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/mesh/triangle_mesh.h"
+
+namespace graftsman {
+
+/// What a mesh is like, exactly.
+struct MeshCheck {
+  Index vertices = 0;
+  Index faces = 0;
+  Index edges = 0;        // distinct pairs of vertices that are neighbours
+  Index components = 0;   // connected by shared vertices of faces
+  Index borderLoops = 0;  // closed chains of border edges
+  Index borderEdges = 0;
+  long eulerCharacteristic = 0;  // used vertices − edges + faces
+  bool manifold = false;         // no singular vertex but isolated ones
+  bool oriented = false;         // no two faces run through an edge in the same direction
+  bool orientable = false;       // could be oriented by turning faces over
+  bool closed = false;           // no border edge
+  std::vector<std::array<Index, 2>> edgesOfManyFaces;  // edges with three or more faces (the first 100)
+  std::size_t edgesOfManyFacesCount = 0;
+  std::vector<std::array<Index, 2>> misorientedEdges;  // edges whose two faces disagree (the first 100)
+  std::size_t misorientedEdgesCount = 0;
+  std::vector<Index> singularVertices;  // where faces meet in more than one fan (the first 100)
+  std::size_t singularVerticesCount = 0;
+  std::size_t isolatedVertices = 0;
+  std::size_t degenerateFaces = 0;  // of zero area
+  double smallestAngle = 0;         // degrees
+  double medianSmallestAngle = 0;   // degrees; of the faces' smallest angles
+  double area = 0;                  // model unit squared
+  double volume = 0;                // model unit cubed, signed; meaningful if closed
+  Point boxMin = Point::Zero();
+  Point boxMax = Point::Zero();
+};
+
+/// Examines a mesh. Linear cost, apart from a sort of the angles.
+[[nodiscard]] MeshCheck checkMesh(const TriangleMesh& mesh);
+
+/// The check as lines of text for a person.
+[[nodiscard]] std::string describe(const MeshCheck& check);
+
+}  // namespace graftsman
