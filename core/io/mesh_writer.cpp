@@ -129,7 +129,7 @@ class MeshFormatter {
     if (text_.back() != '\n') {
       text_ += ' ';
     }
-    text_.append(digits.data(), end);
+    text_.append(static_cast<const char*>(digits.data()), end);
   }
 
   template <class Bits>

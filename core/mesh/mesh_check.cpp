@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <numeric>
 
@@ -246,67 +245,6 @@ MeshCheck checkMesh(const TriangleMesh& mesh) {
     checkShape(mesh, check);
   }
   return check;
-}
-
-namespace {
-
-// "1,2 3,4 …"
-std::string listed(const std::vector<std::array<Index, 2>>& edges, std::size_t count) {
-  std::string text;
-  for (const auto& [a, b] : edges) {
-    text += " " + std::to_string(a) + "-" + std::to_string(b);
-  }
-  return text + (count > edges.size() ? " ..." : "");
-}
-
-std::string listed(const std::vector<Index>& vertices, std::size_t count) {
-  std::string text;
-  for (const Index v : vertices) {
-    text += " " + std::to_string(v);
-  }
-  return text + (count > vertices.size() ? " ..." : "");
-}
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 256> text = {};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
-
-}  // namespace
-
-std::string describe(const MeshCheck& c) {
-  const auto yes = [](bool b) { return b ? "yes" : "no"; };
-  std::string text = formatted("vertices %d, edges %d, faces %d\n", c.vertices, c.edges, c.faces);
-  text += formatted("components %d, border loops %d with %d edges, Euler characteristic %ld\n", c.components,
-                    c.borderLoops, c.borderEdges, c.eulerCharacteristic);
-  text += formatted("manifold: %s, oriented: %s, orientable: %s, closed: %s\n", yes(c.manifold),
-                    yes(c.oriented), yes(c.orientable), yes(c.closed));
-  if (c.edgesOfManyFacesCount > 0) {
-    text += formatted("edges of three or more faces: %zu:", c.edgesOfManyFacesCount) +
-            listed(c.edgesOfManyFaces, c.edgesOfManyFacesCount) + "\n";
-  }
-  if (c.misorientedEdgesCount > 0) {
-    text += formatted("edges whose two faces disagree: %zu:", c.misorientedEdgesCount) +
-            listed(c.misorientedEdges, c.misorientedEdgesCount) + "\n";
-  }
-  if (c.singularVerticesCount > 0) {
-    text += formatted("singular vertices: %zu:", c.singularVerticesCount) +
-            listed(c.singularVertices, c.singularVerticesCount) + "\n";
-  }
-  if (c.isolatedVertices > 0) {
-    text += formatted("isolated vertices: %zu\n", c.isolatedVertices);
-  }
-  if (c.degenerateFaces > 0) {
-    text += formatted("faces without area: %zu\n", c.degenerateFaces);
-  }
-  text += formatted("smallest angle %.3g degrees, median of the faces' smallest angles %.3g degrees\n",
-                    c.smallestAngle, c.medianSmallestAngle);
-  text += formatted("area %.9g, volume %.9g\n", c.area, c.volume);
-  text += formatted("box from (%.9g, %.9g, %.9g) to (%.9g, %.9g, %.9g)\n", c.boxMin.x(), c.boxMin.y(),
-                    c.boxMin.z(), c.boxMax.x(), c.boxMax.y(), c.boxMax.z());
-  return text;
 }
 
 }  // namespace graftsman
