@@ -33,8 +33,7 @@ std::vector<Index> pairEdges(const TriangleMesh& mesh, MeshCheck& check) {
   for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
     partners[asSize(h)] = mesh.twin(h);
     if (mesh.twin(h) < 0) {
-      const auto [low, high] = std::minmax(mesh.from(h), mesh.to(h));
-      loose.push_back({low, high, h});
+      loose.push_back({std::min(mesh.from(h), mesh.to(h)), std::max(mesh.from(h), mesh.to(h)), h});
     }
   }
   check.edges = static_cast<Index>((asSize(mesh.halfedgeCount()) - loose.size()) / 2);
@@ -140,8 +139,9 @@ Index countComponents(const TriangleMesh& mesh) {
   // The smaller root stays one: with the halving of paths above that is nearly linear.
   for (const Face& face : mesh.faces()) {
     for (const int k : {1, 2}) {
-      const auto [low, high] = std::minmax(root(face[0]), root(face[asSize(k)]));
-      parents[asSize(high)] = low;
+      const Index a = root(face[0]);
+      const Index b = root(face[asSize(k)]);
+      parents[asSize(std::max(a, b))] = std::min(a, b);
     }
   }
   Index components = 0;
