@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/fusion/min_heap.h"
+#include "core/fusion/path_points.h"
 #include "core/fusion/zeroed_array.h"
 
 namespace graftsman {
+std::vector<double> waysEstimates;
 namespace {
 
 // A candidate's estimated length may exceed the least by this part: more than the error of the wavefront
@@ -18,18 +21,36 @@ constexpr std::size_t kMostWays = 6;
 // A distance is corrected only if it falls by more than this part; less is rounding, and would go on for long.
 constexpr double kSmallestCorrection = 1e-7;
 constexpr int kProgressInterval = 1024;
+// A ray that passes a vertex closer than this part of the edge goes through it: closer than its own error.
+constexpr double kNearVertex = 1e-3;
+// A ray ends at the vertex of a face from where the rest is longer by at most this part, which is rounding.
+constexpr double kSameLength = 1e-6;
+// A ray crosses about as many edges as the mesh is vertices wide; a limit against circles.
+constexpr std::size_t kMostStepsPerVertex = 100;
 
 struct Node {
   double distance;
-  Index parent;       // the neighbour through or past which the distance came
+  Index via;           // the vertex that the distance came from, or ~h if it came through h, opposite in its face
   std::int32_t state;  // 0 untouched, 1 open, 2 settled
 };
+
+// A virtual source in the plane of a triangle, with the edge a → b on the x axis and a at the origin.
+struct Unfolded {
+  double base, sx, sy;  // the source lies at (sx, sy), sy > 0, on the other side of the edge than the target
+  bool valid;
+};
+
+Unfolded unfoldSource(double base, double da, double db) {
+  const double sx = (da * da - db * db + base * base) / (2 * base);
+  const double sy2 = da * da - sx * sx;
+  return sy2 > 0 ? Unfolded{base, sx, std::sqrt(sy2), true} : Unfolded{base, 0, 0, false};
+}
 
 class Front {
  public:
   Front(const TriangleMesh& mesh, Index source)
       : mesh_(mesh), nodes_(static_cast<std::size_t>(mesh.vertexCount())) {
-    nodes_[source] = {0, -1, 1};
+    nodes_[source] = {0, source, 1};
     heap_.push(0, source);
   }
 
@@ -59,12 +80,20 @@ class Front {
     return v;
   }
 
-  [[nodiscard]] std::vector<Index> chainFrom(Index v) const {
-    std::vector<Index> chain;
-    for (; v >= 0; v = nodes_[v].parent) {
-      chain.push_back(v);
+  // The way from v back to the source, along the rays that its distance came by.
+  [[nodiscard]] std::vector<EdgePoint> wayFrom(Index v) const {
+    std::vector<EdgePoint> way = {{v, -1, 0}};
+    const std::size_t most = kMostStepsPerVertex * static_cast<std::size_t>(std::sqrt(mesh_.vertexCount()) + 10);
+    while (nodes_[v].via != v && way.size() < most) {
+      const Index via = nodes_[v].via;
+      v = via >= 0 ? via : followRay(v, ~via, way, most);
+      way.push_back({v, -1, 0});
     }
-    return chain;
+    // Rays of inconsistent distances might lead round in circles; from vertex to nearer vertex does not.
+    for (; nodes_[v].via != v; way.push_back({v, -1, 0})) {
+      v = nearerVertex(v);
+    }
+    return way;
   }
 
  private:
@@ -73,12 +102,12 @@ class Front {
     return node.state == 2 || node.distance != entry.key;
   }
 
-  void lower(Index v, double distance, Index parent) {
+  void lower(Index v, double distance, Index via) {
     Node& node = nodes_[v];
     if (node.state != 0 && !(distance < node.distance * (1 - kSmallestCorrection))) {
       return;
     }
-    node = {distance, parent, 1};
+    node = {distance, via, 1};
     heap_.push(distance, v);
   }
 
@@ -101,46 +130,96 @@ class Front {
       lower(b, dv + vb.norm(), v);
     }
     if (nodes_[a].state == 2) {
-      through(v, a, b, va, vb);
+      through(v, a, b, va, vb, h);
     }
     if (nodes_[b].state == 2 && !mesh_.singular(a)) {
-      through(v, b, a, vb, va);
+      through(v, b, a, vb, va, last);
     }
   }
 
-  // Updates c from the settled a and b: their distances put the source in the plane of the triangle, on the
-  // other side of a–b; ab and ac are vectors from a.
-  void through(Index a, Index b, Index c, const Point& ab, const Point& ac) {
-    const double da = nodes_[a].distance;
-    const double db = nodes_[b].distance;
-    const double dc = nodes_[c].state == 0 ? std::numeric_limits<double>::infinity() : nodes_[c].distance;
-    if (std::min(da, db) >= dc) {
+  // Updates c from the settled a and b, ends of the edge of h: their distances put the source in the plane of
+  // the triangle, on the other side of a–b; ab and ac are vectors from a.
+  void through(Index a, Index b, Index c, const Point& ab, const Point& ac, Index h) {
+    const Node& target = nodes_[c];
+    const double nearest = std::min(nodes_[a].distance, nodes_[b].distance);
+    if (target.state != 0 && target.distance <= nearest) {
       return;
     }
-    const double base2 = ab.squaredNorm();
-    if (base2 == 0) {
+    // A front reaches a corner late through the opposite edge only if the corner is obtuse.
+    if (target.state == 2 && ac.dot(ac - ab) >= 0) {
       return;
     }
-    const double base = std::sqrt(base2);
-    const double sx = (da * da - db * db + base2) / (2 * base);
-    const double sy2 = da * da - sx * sx;
+    const double base = ab.norm();
+    const Unfolded s = unfoldSource(base, nodes_[a].distance, nodes_[b].distance);
     const double cx = ab.dot(ac) / base;
     const double cy2 = ac.squaredNorm() - cx * cx;
-    if (!(sy2 > 0) || !(cy2 > 0)) {
+    if (!(base > 0) || !s.valid || !(cy2 > 0)) {
       return;
     }
-    const double sy = std::sqrt(sy2);
     const double cy = std::sqrt(cy2);
-    const double x = sx * cy + cx * sy;  // where the ray passes a–b, times (sy + cy)
-    if (x <= 0 || x >= base * (sy + cy)) {
+    const double x = s.sx * cy + cx * s.sy;  // where the ray passes a–b, times (sy + cy)
+    if (x <= 0 || x >= base * (s.sy + cy)) {
       return;
     }
-    // A parent is always nearer than its child, so that chains end, even where distances are corrected later.
-    const double distance = std::sqrt((cx - sx) * (cx - sx) + (cy + sy) * (cy + sy));
-    if (distance > std::min(da, db)) {
-      const Index nearer = da < db ? a : b;
-      const Index besideRay = x < base * (sy + cy) / 2 ? a : b;
-      lower(c, distance, nodes_[besideRay].distance < distance ? besideRay : nearer);
+    const double distance = std::sqrt((cx - s.sx) * (cx - s.sx) + (cy + s.sy) * (cy + s.sy));
+    // Always from a nearer vertex, so that chains of nearerVertex() end, even where distances fall later.
+    if (distance > nearest) {
+      lower(c, distance, ~h);
+    }
+  }
+
+  Index nearerVertex(Index v) const {
+    const Index via = nodes_[v].via;
+    if (via >= 0) {
+      return via;
+    }
+    const Index a = mesh_.from(~via);
+    const Index b = mesh_.to(~via);
+    return nodes_[a].distance <= nodes_[b].distance ? a : b;
+  }
+
+  // Adds the edge points of the ray by which the distance of c came through h; returns the vertex it ends at.
+  Index followRay(Index c, Index h, std::vector<EdgePoint>& way, std::size_t most) const {
+    // From c at (cx, −cy) below the edge h → the source above it.
+    Point origin = position(mesh_, {c, -1, 0});
+    for (;;) {
+      const Index a = mesh_.from(h);
+      const Index b = mesh_.to(h);
+      const Index nearer = nodes_[a].distance <= nodes_[b].distance ? a : b;
+      const Point ab = mesh_.point(b) - mesh_.point(a);
+      const Unfolded s = unfoldSource(ab.norm(), nodes_[a].distance, nodes_[b].distance);
+      const Index twin = mesh_.twin(h);
+      if (!s.valid || twin < 0 || way.size() >= most) {
+        return nearer;
+      }
+      const Point down = origin - mesh_.point(a);
+      const double px = down.dot(ab) / s.base;
+      const double py = std::sqrt(std::max(0.0, down.squaredNorm() - px * px));
+      const double x = (s.sx * py + px * s.sy) / (s.sy + py);
+      if (!(x > kNearVertex * s.base)) {
+        return a;
+      }
+      if (!(x < (1 - kNearVertex) * s.base)) {
+        return b;
+      }
+      const Index edge = canonical(mesh_, h);
+      way.push_back({-1, edge, edge == h ? x / s.base : 1 - x / s.base});
+      // The face beyond, its third vertex d above the edge.
+      const Index d = mesh_.from(TriangleMesh::prev(twin));
+      if (nodes_[d].state == 0) {
+        return nearer;
+      }
+      const Point up = mesh_.point(d) - mesh_.point(a);
+      const double dx = up.dot(ab) / s.base;
+      const double dy = std::sqrt(std::max(0.0, up.squaredNorm() - dx * dx));
+      const double left = std::hypot(s.sx - x, s.sy);
+      if (nodes_[d].distance + std::hypot(dx - x, dy) <= left * (1 + kSameLength)) {
+        return d;
+      }
+      const double side = (s.sx - x) * dy - s.sy * (dx - x);  // above 0: the ray passes d on b's side
+      h = side > 0 ? TriangleMesh::prev(twin) : TriangleMesh::next(twin);
+      (void)side;
+      origin = position(mesh_, way.back());
     }
   }
 
@@ -174,7 +253,7 @@ class Meeting {
     }
   }
 
-  std::vector<std::vector<Index>> ways() {
+  std::vector<std::vector<EdgePoint>> ways() {
     for (std::size_t i = 0, size = met_.size(); i < size; ++i) {
       forNeighbours(met_[i], [&](Index w) {
         if (metAt(w)) {
@@ -195,13 +274,13 @@ class Meeting {
     }
     std::stable_sort(places.begin(), places.end(), [&](Index a, Index b) { return sum(a) < sum(b); });
     places.resize(std::min(places.size(), kMostWays));
-    std::vector<std::vector<Index>> result;
+    std::vector<std::vector<EdgePoint>> result;waysEstimates.clear(); for(Index v:places) waysEstimates.push_back(sum(v));
     for (const Index v : places) {
-      std::vector<Index> chain = fronts_[0].chainFrom(v);
-      std::reverse(chain.begin(), chain.end());
-      const std::vector<Index> rest = fronts_[1].chainFrom(v);
-      chain.insert(chain.end(), rest.begin() + 1, rest.end());
-      result.push_back(std::move(chain));
+      std::vector<EdgePoint> way = fronts_[0].wayFrom(v);
+      std::reverse(way.begin(), way.end());
+      const std::vector<EdgePoint> rest = fronts_[1].wayFrom(v);
+      way.insert(way.end(), rest.begin() + 1, rest.end());
+      result.push_back(std::move(way));
     }
     return result;
   }
@@ -243,7 +322,7 @@ class Meeting {
 
 }  // namespace
 
-std::vector<std::vector<Index>> waysByWavefront(const TriangleMesh& mesh, Index from, Index to,
+std::vector<std::vector<EdgePoint>> waysByWavefront(const TriangleMesh& mesh, Index from, Index to,
                                                 const Progress& progress) {
   Meeting meeting(mesh, from, to);
   if (!meeting.run(progress)) {

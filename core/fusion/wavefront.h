@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/mesh/triangle_mesh.h"
+#include "core/mesh/surface_point.h"
 
 namespace graftsman {
 
@@ -15,7 +15,7 @@ namespace graftsman {
 /// fronts meet, every local minimum of the sum of both distances that is close to the least starts a chain:
 /// ways on either side of a bump. Cost: a search of about half the distance round either end.
 /// Source: Kimmel & Sethian 1998, with the circular update of Novotni & Klein 2002.
-[[nodiscard]] std::vector<std::vector<Index>> waysByWavefront(const TriangleMesh& mesh, Index from, Index to,
+[[nodiscard]] std::vector<std::vector<EdgePoint>> waysByWavefront(const TriangleMesh& mesh, Index from, Index to,
                                                               const Progress& progress);
 
 }  // namespace graftsman
