@@ -9,8 +9,8 @@
 namespace graftsman {
 namespace {
 
-// How far a path keeps off an obstacle, as a fraction of the free interval: small, to stay short; not so small
-// that a few paths side by side run out of doubles.
+// How far a path keeps off an obstacle, as a fraction of the free interval: small, to stay short; not so
+// small that a few paths side by side run out of doubles.
 constexpr double kKeepOff = 0.125;
 
 double angleBetween(const Point& a, const Point& b) {
@@ -52,8 +52,7 @@ class Fan {
       }
       if (face >= 0 && TriangleMesh::faceOf(h) == face) {
         const Point& origin = mesh_.point(v_);
-        const double within =
-            angleBetween(mesh_.point(mesh_.to(h)) - origin, position(mesh_, p) - origin);
+        const double within = angleBetween(mesh_.point(mesh_.to(h)) - origin, position(mesh_, p) - origin);
         return {k, false, angles_[k] + within};
       }
     }
@@ -104,7 +103,8 @@ class Fan {
 
 class StripBuilder {
  public:
-  StripBuilder(const TriangleMesh& mesh, const PathObstacles& obstacles) : mesh_(mesh), obstacles_(obstacles) {}
+  StripBuilder(const TriangleMesh& mesh, const PathObstacles& obstacles)
+      : mesh_(mesh), obstacles_(obstacles) {}
 
   std::vector<Portal> build(std::span<const EdgePoint> points) {
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -168,8 +168,7 @@ bool touches(const TriangleMesh& mesh, const Portal& portal, Index v) {
 
 double cornerAngle(const TriangleMesh& mesh, Index h) {
   const Point& corner = mesh.point(mesh.from(h));
-  return angleBetween(mesh.point(mesh.to(h)) - corner,
-                      mesh.point(mesh.from(TriangleMesh::prev(h))) - corner);
+  return angleBetween(mesh.point(mesh.to(h)) - corner, mesh.point(mesh.from(TriangleMesh::prev(h))) - corner);
 }
 
 Portal makePortal(const PathObstacles::Interval& interval, Index h) {
@@ -198,8 +197,7 @@ void trimEnds(const TriangleMesh& mesh, FaceStrip& strip) {
 
 FaceStrip stripAlong(const TriangleMesh& mesh, const PathObstacles& obstacles,
                      std::span<const EdgePoint> points) {
-  FaceStrip strip{points.front().vertex, points.back().vertex,
-                  StripBuilder(mesh, obstacles).build(points)};
+  FaceStrip strip{points.front().vertex, points.back().vertex, StripBuilder(mesh, obstacles).build(points)};
   trimEnds(mesh, strip);
   return strip;
 }

@@ -9,7 +9,8 @@ namespace graftsman {
 
 /// A stretch of an edge through which a path passes from one face to the next.
 struct Portal {
-  Index h = -1;   // the edge's halfedge in the face that is left: its end is on the left, its start on the right
+  Index h =
+      -1;  // the edge's halfedge in the face that is left: its end is on the left, its start on the right
   double lo = 0;  // t of the canonical halfedge; 0 is the vertex itself, a blocked end lies a little inside
   double hi = 1;
 };

@@ -19,7 +19,8 @@ double cross(const Point2& a, const Point2& b) {
 
 // The apex c of a triangle over the edge a → b that lies in the plane from a2 to b2; on the right of the
 // edge if `side` is 1, on its left if −1. A degenerate edge points upwards.
-Point2 apexAt(const Point& a, const Point& b, const Point& c, const Point2& a2, const Point2& b2, double side) {
+Point2 apexAt(const Point& a, const Point& b, const Point& c, const Point2& a2, const Point2& b2,
+              double side) {
   const Point edge = b - a;
   const Point towards = c - a;
   const double length = edge.norm();
@@ -49,7 +50,8 @@ void Funnel::unfold(const TriangleMesh& mesh, const FaceStrip& strip) {
   const Index first = strip.portals.front().h;
   Point2 right(0, 0);
   Point2 left(0, (mesh.point(mesh.to(first)) - mesh.point(mesh.from(first))).norm());
-  start_ = apexAt(mesh.point(mesh.from(first)), mesh.point(mesh.to(first)), mesh.point(strip.from), right, left, -1);
+  start_ = apexAt(mesh.point(mesh.from(first)), mesh.point(mesh.to(first)), mesh.point(strip.from), right,
+                  left, -1);
   for (std::size_t k = 0; k < gates_.size(); ++k) {
     const Portal& portal = strip.portals[k];
     const Index twin = mesh.twin(portal.h);
@@ -62,8 +64,8 @@ void Funnel::unfold(const TriangleMesh& mesh, const FaceStrip& strip) {
     gate.right = gate.rightShare == 0 ? right : Point2(right + gate.rightShare * (left - right));
     gate.left = gate.leftShare == 1 ? left : Point2(right + gate.leftShare * (left - right));
     const Index apex = mesh.from(TriangleMesh::prev(twin));
-    const Point2 apex2 = apexAt(mesh.point(mesh.from(portal.h)), mesh.point(mesh.to(portal.h)), mesh.point(apex), right,
-                                left, 1);
+    const Point2 apex2 = apexAt(mesh.point(mesh.from(portal.h)), mesh.point(mesh.to(portal.h)),
+                                mesh.point(apex), right, left, 1);
     if (k + 1 == gates_.size()) {
       assert(apex == strip.to);
       end_ = apex2;
@@ -119,7 +121,8 @@ void Funnel::solve(const TriangleMesh& mesh, const FaceStrip& strip) {
     }
   }
   add({end_, static_cast<Index>(gates_.size()), true});
-  corners_.insert(corners_.end(), chains_[1].begin() + static_cast<std::ptrdiff_t>(heads_[1]), chains_[1].end());
+  corners_.insert(corners_.end(), chains_[1].begin() + static_cast<std::ptrdiff_t>(heads_[1]),
+                  chains_[1].end());
 }
 
 // Where the straight line from corner a to corner b, of earlier and later portals, passes portal k.

@@ -125,9 +125,9 @@ bool PathObstacles::permits(const EdgePoint& a, const EdgePoint& b) const {
     return p.isVertex() ? (p.vertex == mesh_->to(edge) ? 1.0 : 0.0) : p.t;
   };
   const auto [low, high] = std::minmax(t(a), t(b));
-  return m->along < 0 && std::none_of(m->crossings.begin(), m->crossings.end(), [&, l = low, h = high](const Crossing& c) {
-           return l <= c.t && c.t <= h;
-         });
+  return m->along < 0 &&
+         std::none_of(m->crossings.begin(), m->crossings.end(),
+                      [&, l = low, h = high](const Crossing& c) { return l <= c.t && c.t <= h; });
 }
 
 bool PathObstacles::permitsIn(Index face, const EdgePoint& a, const EdgePoint& b) const {
@@ -149,8 +149,9 @@ bool PathObstacles::permitsAlong(Index h) const {
 std::optional<PathObstacles::Conflict> PathObstacles::conflictAt(const EdgePoint& p) const {
   if (p.isVertex()) {
     const int owner = vertexOwners_.allocated() ? vertexOwners_[p.vertex] : 0;
-    return owner > 0 ? std::optional(Conflict{owner - 1, -1})
-                     : owner < 0 ? std::optional(Conflict{-1, -owner - 1}) : std::nullopt;
+    return owner > 0   ? std::optional(Conflict{owner - 1, -1})
+           : owner < 0 ? std::optional(Conflict{-1, -owner - 1})
+                       : std::nullopt;
   }
   if (const EdgeMarks* m = marks(p.halfedge)) {
     if (m->along >= 0) {

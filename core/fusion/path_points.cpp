@@ -134,8 +134,8 @@ std::vector<EdgePoint> withoutDetours(const PathObstacles& obstacles, std::span<
   std::vector<EdgePoint> kept;
   kept.reserve(points.size());
   for (const EdgePoint& p : points) {
-    while (kept.size() >= 2 && (kept[kept.size() - 2] == p || kept.back() == p ||
-                                obstacles.permits(kept[kept.size() - 2], p))) {
+    while (kept.size() >= 2 &&
+           (kept[kept.size() - 2] == p || kept.back() == p || obstacles.permits(kept[kept.size() - 2], p))) {
       kept.pop_back();
     }
     if (kept.empty() || kept.back() != p) {

@@ -28,7 +28,8 @@ constexpr int kMostLoopRemovals = 8;
 
 class Straightener {
  public:
-  Straightener(const TriangleMesh& mesh, const PathObstacles& obstacles) : mesh_(mesh), obstacles_(obstacles) {}
+  Straightener(const TriangleMesh& mesh, const PathObstacles& obstacles)
+      : mesh_(mesh), obstacles_(obstacles) {}
 
   std::vector<EdgePoint> run(std::vector<EdgePoint> best) {
     double length = polylineLength(mesh_, best);

@@ -18,7 +18,8 @@ namespace {
 constexpr double kSpread = 0.02;
 // So many candidates are straightened: past these, none was ever the shortest on the sample models.
 constexpr std::size_t kMostWays = 6;
-// A distance is corrected only if it falls by more than this part; less is rounding, and would go on for long.
+// A distance is corrected only if it falls by more than this part; less is rounding, and would go on for
+// long.
 constexpr double kSmallestCorrection = 1e-7;
 constexpr int kProgressInterval = 1024;
 // A ray that passes a vertex closer than this part of the edge goes through it: closer than its own error.
@@ -30,7 +31,7 @@ constexpr std::size_t kMostStepsPerVertex = 100;
 
 struct Node {
   double distance;
-  Index via;           // the vertex that the distance came from, or ~h if it came through h, opposite in its face
+  Index via;  // the vertex that the distance came from, or ~h if it came through h, opposite in its face
   std::int32_t state;  // 0 untouched, 1 open, 2 settled
 };
 
@@ -83,7 +84,8 @@ class Front {
   // The way from v back to the source, along the rays that its distance came by.
   [[nodiscard]] std::vector<EdgePoint> wayFrom(Index v) const {
     std::vector<EdgePoint> way = {{v, -1, 0}};
-    const std::size_t most = kMostStepsPerVertex * static_cast<std::size_t>(std::sqrt(mesh_.vertexCount()) + 10);
+    const std::size_t most =
+        kMostStepsPerVertex * static_cast<std::size_t>(std::sqrt(mesh_.vertexCount()) + 10);
     while (nodes_[v].via != v && way.size() < most) {
       const Index via = nodes_[v].via;
       v = via >= 0 ? via : followRay(v, ~via, way, most);
@@ -274,7 +276,9 @@ class Meeting {
     }
     std::stable_sort(places.begin(), places.end(), [&](Index a, Index b) { return sum(a) < sum(b); });
     places.resize(std::min(places.size(), kMostWays));
-    std::vector<std::vector<EdgePoint>> result;waysEstimates.clear(); for(Index v:places) waysEstimates.push_back(sum(v));
+    std::vector<std::vector<EdgePoint>> result;
+    waysEstimates.clear();
+    for (Index v : places) waysEstimates.push_back(sum(v));
     for (const Index v : places) {
       std::vector<EdgePoint> way = fronts_[0].wayFrom(v);
       std::reverse(way.begin(), way.end());
@@ -323,7 +327,7 @@ class Meeting {
 }  // namespace
 
 std::vector<std::vector<EdgePoint>> waysByWavefront(const TriangleMesh& mesh, Index from, Index to,
-                                                const Progress& progress) {
+                                                    const Progress& progress) {
   Meeting meeting(mesh, from, to);
   if (!meeting.run(progress)) {
     return {};
