@@ -20,6 +20,10 @@ namespace {
 // of what the line field or the eye could tell.
 constexpr double kScaleSettled = 1e-6;
 
+// Correlation of the two loops below which no scale relates them: it would be rounding error, and shrink the
+// part to a speck.
+constexpr double kUnrelated = 1e-9;
+
 // Points per task: a millisecond for a loop of ordinary size.
 constexpr std::size_t kGrain = 1 << 14;
 
@@ -108,10 +112,10 @@ class Steps {
     bool settled = false;
     while (settings_.scale && !close && !settled && report_.iterations < settings_.maxIterations) {
       const double k = bestScale();
-      if (!(k > 0 && std::isfinite(k))) {
+      if (!(k > 0)) {
         return fail(degenerate(
-            "The loops are so different that the scale that fits them best is not positive; pick the CVs of "
-            "both loops in the same order and direction, or turn the adjustment's scaling off."));
+            "No scale greater than 0 fits the loops to each other, they are too different; pick the CVs of "
+            "both in the same order and direction, or turn the adjustment's scaling off."));
       }
       placement_.scale *= k;
       settings_.rigid ? fitRigid() : place();
@@ -174,16 +178,19 @@ class Steps {
     }
   }
 
-  // k of Eq. 3, both loops about their centroids: ∂E/∂k = 0.
+  // k of Eq. 3, both loops about their centroids: ∂E/∂k = 0. 0 if there is no positive one.
   [[nodiscard]] double bestScale() const {
     double products = 0;
     double squares = 0;
+    double baseSquares = 0;
     for (std::size_t i = 0; i < part_.size(); ++i) {
       const Eigen::Vector3d x = part_[i] - placement_.to;
       products += x.dot(base_[i]);
       squares += x.squaredNorm();
+      baseSquares += base_[i].squaredNorm();
     }
-    return products / squares;
+    const double k = products / squares;
+    return products > kUnrelated * std::sqrt(squares * baseSquares) && std::isfinite(k) ? k : 0;
   }
 
   [[nodiscard]] double distance() const { return meanDistance(part_, base_); }

@@ -13,8 +13,12 @@ namespace {
 // far from the origin leave of a straight line, 1e6 sizes away, is noise of about this height.
 constexpr double kCollinear = 1e-10;
 
-// Length of the sum of two unit vectors below which they count as opposite: some thousand rounding errors.
-constexpr double kOpposite = 1e-12;
+// Sine of an angle below which two directions count as the same or opposite: rounding error of unit vectors.
+constexpr double kParallel = 1e-15;
+
+// First singular value, relative to its greatest possible, below which two loops have nothing in common: it
+// is rounding error then, and would give a rotation by chance.
+constexpr double kUnrelated = 1e-12;
 
 double greatestNorm(std::span<const Point> points) {
   double greatest = 0;
@@ -42,17 +46,18 @@ Eigen::Vector3d perpendicularTo(const Eigen::Vector3d& direction) {
 }
 
 Eigen::Matrix3d smallestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  // Two reflections: one turns `from` round, the other takes that to `to`. Of opposite directions the sum
-  // is rounding error only.
-  const Eigen::Vector3d sum = from + to;
-  if (sum.norm() < kOpposite) {
-    const Eigen::Vector3d axis = perpendicularTo(from);
-    return 2 * axis * axis.transpose() - Eigen::Matrix3d::Identity();
+  // Within the plane of both, spanned by `from` and `side`; taking `side` perpendicular once more keeps the
+  // result exact for directions that are nearly opposite.
+  const Eigen::Vector3d across = to - to.dot(from) * from;
+  Eigen::Vector3d side = perpendicularTo(from);
+  if (across.norm() > kParallel) {
+    side = across.normalized();
+    side = (side - side.dot(from) * from).normalized();
   }
-  const Eigen::Vector3d middle = sum.normalized();
-  const Eigen::Matrix3d first = Eigen::Matrix3d::Identity() - 2 * from * from.transpose();
-  const Eigen::Matrix3d second = Eigen::Matrix3d::Identity() - 2 * middle * middle.transpose();
-  return second * first;
+  const Eigen::Vector2d turned = Eigen::Vector2d(to.dot(from), to.dot(side)).normalized();
+  const Eigen::Vector3d axis = from.cross(side);
+  return turned.x() * (from * from.transpose() + side * side.transpose()) +
+         turned.y() * (side * from.transpose() - from * side.transpose()) + axis * axis.transpose();
 }
 
 Eigen::Matrix3d bestRotation(std::span<const Point> from, std::span<const Point> to) {
@@ -73,7 +78,7 @@ Eigen::Matrix3d bestRotation(std::span<const Point> from, std::span<const Point>
   const Eigen::Vector3d singular = svd.singularValues();
   const Eigen::Matrix3d& u = svd.matrixU();
   const Eigen::Matrix3d& v = svd.matrixV();
-  if (singular[0] == 0) {
+  if (singular[0] <= kUnrelated * static_cast<double>(from.size())) {
     return Eigen::Matrix3d::Identity();
   }
   if (singular[1] <= kCollinear * singular[0]) {
