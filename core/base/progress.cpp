@@ -10,7 +10,7 @@ struct Progress::State {
   Report report;
   std::chrono::steady_clock::duration interval;
   std::mutex mutex;
-  std::chrono::steady_clock::time_point last = {};
+  std::chrono::steady_clock::time_point last;
   double greatest = 0;
   std::atomic<bool> cancelled = false;
 };
@@ -19,6 +19,7 @@ Progress::Progress(Report report, std::chrono::steady_clock::duration interval)
     : state_(std::make_shared<State>()) {
   state_->report = std::move(report);
   state_->interval = interval;
+  state_->last = std::chrono::steady_clock::now() - interval;  // the first call reports
 }
 
 bool Progress::keepGoing(double done) const {

@@ -169,7 +169,7 @@ class Cutter {
   void divide(Index face, std::span<const Chord> chords) {
     brackets_.clear();
     for (const Chord& chord : chords) {
-      const auto [open, close] = std::minmax(placeOf(chord.from), placeOf(chord.to));
+      const auto [open, close] = std::minmax({placeOf(chord.from), placeOf(chord.to)});
       brackets_.emplace_back(open, -close);
     }
     std::sort(brackets_.begin(), brackets_.end());  // at the same opening the outermost first

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <map>
+#include <array>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "core/fusion/adjustment.h"
 #include "core/fusion/cut.h"
@@ -40,6 +39,13 @@ struct FusedMesh {
 enum class Stage { Anchor, Paths, Cut, Tile, Adjust, Embed, Overlay, Join, Blend };
 inline constexpr int kStageCount = 9;
 
+/// How one stage went in one update.
+struct StageRun {
+  bool ran = false;             // false: its result was taken over, or it was not reached
+  double milliseconds = 0;      // of both meshes together
+  double partMilliseconds = 0;  // of these, the part's share; 0 where a stage concerns both
+};
+
 /// What one mesh's own stages made.
 struct SideResults {
   std::shared_ptr<const AnchoredLoop> anchored;
@@ -59,10 +65,11 @@ struct FusionResults {
   std::shared_ptr<const CombinedTile> combined;
   std::shared_ptr<const graftsman::Join> join;
   std::shared_ptr<const FusedMesh> fused;
-  std::optional<Error> error;                         // why `fused` is missing, and at which stage
-  Stage failedAt = Stage::Anchor;                     // meaningful with `error`
-  std::array<double, kStageCount> milliseconds = {};  // of each stage in this run; 0 where it was reused
-  std::array<bool, kStageCount> ran = {};             // whether any of the stage ran in this run
+  std::optional<Error> error;                   // why `fused` is missing, and at which stage
+  Stage failedAt = Stage::Anchor;               // meaningful with `error`
+  std::array<StageRun, kStageCount> runs = {};  // by Stage
+
+  [[nodiscard]] const StageRun& run(Stage stage) const { return runs[static_cast<std::size_t>(stage)]; }
 };
 
 /// Runs the stages that the inputs need (DESIGN.md §3): a stage runs only when one of its inputs is not the

@@ -1,0 +1,211 @@
+#include "core/fusion/verify.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace graftsman {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+// Rounding of a corner in the unit circle moves it by at most 2⁻⁵³ in x and y: a face whose doubled area is
+// above minus this times its longest edge may be counter-clockwise before rounding.
+constexpr double kCornerRounding = 4 * 2.220446049250313e-16;
+// A position's rounding, in units of the greatest coordinate: a sum of three products, each rounded.
+constexpr double kPositionRounding = 8 * 2.220446049250313e-16;
+
+// Ericson, Real-Time Collision Detection, §5.1.5.
+Point closestOnTriangle(const Point& p, const Point& a, const Point& b, const Point& c) {
+  const Point ab = b - a;
+  const Point ac = c - a;
+  const double d1 = ab.dot(p - a);
+  const double d2 = ac.dot(p - a);
+  if (d1 <= 0 && d2 <= 0) {
+    return a;
+  }
+  const double d3 = ab.dot(p - b);
+  const double d4 = ac.dot(p - b);
+  if (d3 >= 0 && d4 <= d3) {
+    return b;
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    return a + d1 / (d1 - d3) * ab;
+  }
+  const double d5 = ab.dot(p - c);
+  const double d6 = ac.dot(p - c);
+  if (d6 >= 0 && d5 <= d6) {
+    return c;
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    return a + d2 / (d2 - d6) * ac;
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+  }
+  const double sum = va + vb + vc;
+  return sum > 0 ? Point(a + vb / sum * ab + vc / sum * ac) : a;
+}
+
+// The vertices of an embedding in space: the tile's, then the added ones.
+std::vector<Point> embeddedPoints(std::span<const Point> tile, const Embedding& embedding) {
+  std::vector<Point> points(tile.begin(), tile.end());
+  for (const AddedVertex& added : embedding.added) {
+    const Point& origin = points[static_cast<std::size_t>(added.corners[0])];
+    Point p = origin;
+    for (int k = 1; k < 3; ++k) {
+      if (added.weights[k] != 0) {
+        p += added.weights[k] *
+             (points[static_cast<std::size_t>(added.corners[static_cast<std::size_t>(k)])] - origin);
+      }
+    }
+    points.push_back(p);
+  }
+  return points;
+}
+
+double greatestDistance(const CombinedTile& combined, std::span<const Point> positions,
+                        std::span<const Index> parents, std::span<const Point> tilePoints,
+                        std::span<const Face> tileFaces) {
+  double greatest = 0;
+  for (std::size_t f = 0; f < combined.faces.size(); ++f) {
+    const Face& parent = tileFaces[static_cast<std::size_t>(parents[f])];
+    const auto corner = [&](std::size_t k) -> const Point& {
+      return tilePoints[static_cast<std::size_t>(parent[k])];
+    };
+    for (const Index v : combined.faces[f]) {
+      const Point& p = positions[static_cast<std::size_t>(v)];
+      greatest = std::max(greatest, (p - closestOnTriangle(p, corner(0), corner(1), corner(2))).norm());
+    }
+  }
+  return greatest;
+}
+
+Eigen::Vector3d areaVector(std::span<const Point> points, const Face& face) {
+  const Point& a = points[static_cast<std::size_t>(face[0])];
+  return (points[static_cast<std::size_t>(face[1])] - a)
+             .cross(points[static_cast<std::size_t>(face[2])] - a) /
+         2;
+}
+
+double area(std::span<const Point> points, std::span<const Face> faces) {
+  double sum = 0;
+  for (const Face& face : faces) {
+    sum += areaVector(points, face).norm();
+  }
+  return sum;
+}
+
+void measureEmbedding(const CombinedTile& combined, Index sides, Verification& verification) {
+  double sum = 0;
+  for (const auto& [a, b, c] : combined.faces) {
+    const Point2& p = combined.uv[static_cast<std::size_t>(a)];
+    const Point2 u = combined.uv[static_cast<std::size_t>(b)] - p;
+    const Point2 v = combined.uv[static_cast<std::size_t>(c)] - p;
+    const double doubled = u.x() * v.y() - u.y() * v.x();
+    const double longest = std::max({u.norm(), v.norm(), (u - v).norm()});
+    verification.invertedFaces += doubled < -kCornerRounding * longest ? 1 : 0;
+    sum += doubled / 2;
+  }
+  const double whole = sides * std::sin(2 * std::numbers::pi / sides) / 2;
+  verification.embeddedAreaError = std::abs(sum - whole) / whole;
+}
+
+// Over the edges between a face of the combined tile and one of the remainder.
+void measureSeam(const FusedMesh& fused, const TriangleMesh& mesh, Verification& verification) {
+  const Index rest = fused.join->restFaces;
+  double angles = 0;
+  double lengths = 0;
+  for (Index h = 3 * rest; h < mesh.halfedgeCount(); ++h) {
+    const Index twin = mesh.twin(h);
+    if (twin < 0 || TriangleMesh::faceOf(twin) >= rest) {
+      continue;
+    }
+    const Eigen::Vector3d inner = areaVector(mesh.points(), mesh.face(TriangleMesh::faceOf(h)));
+    const Eigen::Vector3d outer = areaVector(mesh.points(), mesh.face(TriangleMesh::faceOf(twin)));
+    const double sine = inner.cross(outer).norm();
+    const double cosine = inner.dot(outer);
+    if (sine == 0 && cosine == 0) {
+      continue;  // a triangle without area has no normal
+    }
+    const double angle = std::atan2(sine, cosine) * kDegrees;
+    const double length = (mesh.point(mesh.to(h)) - mesh.point(mesh.from(h))).norm();
+    verification.greatestSeamAngle = std::max(verification.greatestSeamAngle, angle);
+    angles += angle * length;
+    lengths += length;
+  }
+  verification.meanSeamAngle = lengths > 0 ? angles / lengths : 0;
+}
+
+Index countChanged(const FusionResults& results) {
+  const Join& join = *results.join;
+  const TriangleMesh& base = *results.inputs.base;
+  std::vector<bool> onSeam(results.fused->points.size(), false);
+  for (Index i = 0; i < results.combined->seamSize; ++i) {
+    onSeam[static_cast<std::size_t>(join.tileVertices[static_cast<std::size_t>(i)])] = true;
+  }
+  Index changed = 0;
+  for (std::size_t v = 0; v < join.baseVertices.size(); ++v) {
+    const Index original = join.baseVertices[v];
+    if (original >= base.vertexCount() || onSeam[v]) {
+      continue;
+    }
+    const bool equal =
+        std::memcmp(base.point(original).data(), results.fused->points[v].data(), 3 * sizeof(double)) == 0;
+    changed += equal ? 0 : 1;
+  }
+  return changed;
+}
+
+}  // namespace
+
+bool Verification::topologyKept() const {
+  return (result.manifold || !base.manifold) && (result.oriented || !base.oriented) &&
+         result.closed == base.closed && result.eulerCharacteristic == base.eulerCharacteristic &&
+         result.borderLoops == base.borderLoops;
+}
+
+bool Verification::holds() const {
+  constexpr double kAreaTolerance = 1e-12;
+  return baseUnchanged() && topologyKept() && invertedFaces == 0 && embeddedAreaError <= kAreaTolerance &&
+         baseDistance <= tolerance && partDistance <= tolerance;
+}
+
+Verification verify(const FusionResults& results) {
+  const CombinedTile& combined = *results.combined;
+  const TriangleMesh& base = *results.inputs.base;
+  const Tile& baseTile = *results.base.tile;
+  const TriangleMesh mesh(results.fused->points, results.fused->faces());
+
+  Verification verification;
+  verification.base = checkMesh(base);
+  verification.result = checkMesh(mesh);
+  const std::vector<Point> basePoints = embeddedPoints(baseTile.points, *results.base.embedding);
+  const std::vector<Point> partPoints = embeddedPoints(results.adjustment->points, *results.part.embedding);
+  const double diagonal = base.diagonal();
+  verification.baseDistance = greatestDistance(combined, combined.base, combined.baseFaces, basePoints,
+                                               results.base.embedding->faces) /
+                              diagonal;
+  verification.partDistance = greatestDistance(combined, combined.part, combined.partFaces, partPoints,
+                                               results.part.embedding->faces) /
+                              diagonal;
+  const double tileArea = area(baseTile.points, baseTile.faces);
+  verification.baseAreaError = std::abs(area(combined.base, combined.faces) - tileArea) / tileArea;
+  double farthest = 0;
+  for (const auto* points : {&basePoints, &partPoints}) {
+    for (const Point& p : *points) {
+      farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+    }
+  }
+  verification.tolerance = std::max(1e-12, kPositionRounding * farthest / diagonal);
+  measureEmbedding(combined, results.base.embedding->sides, verification);
+  measureSeam(*results.fused, mesh, verification);
+  verification.changedBaseVertices = countChanged(results);
+  return verification;
+}
+
+}  // namespace graftsman
