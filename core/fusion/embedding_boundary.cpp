@@ -1,8 +1,6 @@
 #include "core/fusion/embedding_boundary.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace graftsman {
 namespace {
@@ -10,11 +8,6 @@ namespace {
 /// Share of its side's mean edge that every boundary edge gets at least. Far below what anyone sees, and yet
 /// even with 10⁶ boundary vertices neighbours lie 10⁶ roundings apart.
 constexpr double kShortestEdge = 1e-4;
-
-Point2 corner(Index sides, Index i) {
-  const double angle = 2 * std::numbers::pi * i / sides;
-  return {std::cos(angle), std::sin(angle)};
-}
 
 /// Lengths of the edges first → first + 1 → … → last (taken modulo B), none below the shortest allowed.
 std::vector<double> edgeLengths(std::span<const Point> points, Index boundarySize, Index first, Index last) {
@@ -33,15 +26,6 @@ std::vector<double> edgeLengths(std::span<const Point> points, Index boundarySiz
 }
 
 }  // namespace
-
-Point2 boundaryPoint(Index sides, const BoundaryPosition& position) {
-  const Point2 from = corner(sides, position.side);
-  if (position.t == 0) {
-    return from;
-  }
-  const Point2 to = corner(sides, position.side + 1 == sides ? 0 : position.side + 1);
-  return from + position.t * (to - from);
-}
 
 std::vector<BoundaryPosition> layOutBoundary(std::span<const Point> points, Index boundarySize,
                                              std::span<const Index> corners) {

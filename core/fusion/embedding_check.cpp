@@ -56,7 +56,7 @@ LayoutCheck checkLayout(const EmbeddingTile& tile, const std::vector<Point2>& uv
     if (tile.areas[f] > 0 && area < least * tile.areas[f]) {
       least = area / tile.areas[f];
     }
-    if (area < LayoutCheck::kSqueezed * tile.areas[f]) {
+    if (std::abs(area) < LayoutCheck::kSqueezed * tile.areas[f]) {
       check.squeezedShare += tile.areas[f];
     }
   }

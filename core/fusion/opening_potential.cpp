@@ -35,7 +35,7 @@ std::vector<char> squeezedRows(const EmbeddingTile& tile, const Stars& stars, co
     const auto [i, j, k] = tile.faces[f];
     const Point2 ab = uv[at(j)] - uv[at(i)];
     const Point2 ac = uv[at(k)] - uv[at(i)];
-    squeezed[f] = ab.x() * ac.y() - ab.y() * ac.x() < kRegion * total * tile.areas[f];
+    squeezed[f] = std::abs(ab.x() * ac.y() - ab.y() * ac.x()) < kRegion * total * tile.areas[f];
   }
   std::vector<char> rows(stars.offsets.size() - 1, 1);
   for (std::size_t r = 0; r < rows.size(); ++r) {

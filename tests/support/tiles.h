@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -147,6 +148,90 @@ inline void flipAtRandom(DiscTile& tile, double rounds, unsigned seed,
     put(h / 3);
     put(g);
   }
+}
+
+/// The tile over (m + 1)×(n + 1) points in rows, two triangles per cell, corners at the four corners.
+inline DiscTile gridDisc(Index m, Index n, const std::vector<Point>& points) {
+  const Index w = m + 1;
+  std::vector<Index> order;
+  const auto walk = [&](Index from, Index step, Index count) {
+    for (Index i = 0; i < count; ++i) {
+      order.push_back(from + i * step);
+    }
+  };
+  walk(0, 1, m);
+  walk(m, w, n);
+  walk(n * w + m, -1, m);
+  walk(n * w, -w, n);
+  for (Index j = 1; j < n; ++j) {
+    walk(j * w + 1, 1, m - 1);
+  }
+  DiscTile tile;
+  std::vector<Index> number(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number[static_cast<std::size_t>(order[i])] = static_cast<Index>(i);
+    tile.points.push_back(points[static_cast<std::size_t>(order[i])]);
+  }
+  for (Index j = 0; j < n; ++j) {
+    for (Index i = 0; i < m; ++i) {
+      const auto at = [&](Index x, Index y) { return number[static_cast<std::size_t>(y * w + x)]; };
+      tile.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      tile.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  tile.boundarySize = 2 * (m + n);
+  tile.corners = {0, m, m + n, 2 * m + n};
+  return tile;
+}
+
+/// A unit disc with bumps of the given height, of about 6 count² faces; vertices shifted, edges flipped at
+/// random.
+inline DiscTile bumpyDisc(Index count, Index sides, double height, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto shift = [&] { return 0.35 / count * (static_cast<double>(random() % 2001) / 1000 - 1); };
+  DiscTile tile = rings(discSizes(count), sides, [&](double depth, double angle) {
+    const double x = (1 - depth) * std::cos(angle) + (depth > 0 ? shift() : 0);
+    const double y = (1 - depth) * std::sin(angle) + (depth > 0 ? shift() : 0);
+    return Point(x, y, height * (std::sin(9 * x) * std::cos(8 * y) + 0.4 * std::sin(31 * x + 5 * y)));
+  });
+  const auto isUpright = [&](const Face& f) {
+    const auto at = [&](std::size_t k) { return tile.points[static_cast<std::size_t>(f[k])]; };
+    const Point ab = at(1) - at(0);
+    const Point ac = at(2) - at(0);
+    return ab.x() * ac.y() - ab.y() * ac.x() > 0.1 / (count * count);
+  };
+  flipAtRandom(tile, 0.2, seed, [&](const Face& a, const Face& b) { return isUpright(a) && isUpright(b); });
+  return tile;
+}
+
+/// A flat square of about 24×12 that carries two tubes of radius 1 and the given heights, closed by lids.
+inline DiscTile twoHorns(double left, double right) {
+  constexpr Index kPerRadius = 3;  // cells of the grid per radius
+  const Index m = 24 * kPerRadius;
+  const Index n = 12 * kPerRadius;
+  // Each grid vertex near a tube's axis moves up the tube: rings of the square r = max(|x|, |y|) < 4 become
+  // circles; from r = 4 to 3 they close in on the tube, from 3 to 1 they climb, below 1 they form the lid.
+  const auto lift = [&](double x, double y, double middle, double height) {
+    const double r = std::max(std::abs(x - middle), std::abs(y));
+    const double length = std::hypot(x - middle, y);
+    const Eigen::Vector2d direction =
+        length > 0 ? Eigen::Vector2d(Eigen::Vector2d(x - middle, y) / length) : Eigen::Vector2d(1, 0);
+    const double radius = r >= 3 ? 1 + 3 * (r - 3) : std::min(1.0, r);
+    const double blend = r >= 3 ? r - 3 : 0;  // square at r = 4, circle from r = 3 inwards
+    const Eigen::Vector2d flat = (1 - blend) * radius * direction + blend * Eigen::Vector2d(x - middle, y);
+    return Point(middle + flat.x(), flat.y(), height * std::clamp((3 - r) / 2, 0.0, 1.0));
+  };
+  std::vector<Point> points;
+  for (Index j = 0; j <= n; ++j) {
+    for (Index i = 0; i <= m; ++i) {
+      const double x = static_cast<double>(i) / kPerRadius - 12;
+      const double y = static_cast<double>(j) / kPerRadius - 6;
+      const double middle = x < 0 ? -6 : 6;
+      const bool isNear = std::max(std::abs(x - middle), std::abs(y)) < 4;
+      points.push_back(isNear ? lift(x, y, middle, x < 0 ? left : right) : Point(x, y, 0));
+    }
+  }
+  return gridDisc(m, n, points);
 }
 
 }  // namespace graftsman::shapes
