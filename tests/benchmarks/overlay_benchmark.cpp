@@ -12,9 +12,9 @@
 #include "core/fusion/combined_tile.h"
 #include "tests/support/embeddings.h"
 
-// The overlay of two embedded tiles against CGAL's overlay of the same two planar subdivisions. The argument is
-// the number of faces of each tile. `bytes` is what is held of the heap when the overlay is done, inputs apart;
-// `peak` the most held at once during it.
+// The overlay of two embedded tiles against CGAL's overlay of the same two planar subdivisions. The argument
+// is the number of faces of each tile. `bytes` is what is held of the heap when the overlay is done, inputs
+// apart; `peak` the most held at once during it.
 
 namespace {
 

@@ -59,8 +59,8 @@ Overlaid overlaid(const TestTile& part, const TestTile& base) {
   return {std::move(*layers), std::move(*trace), std::move(numbers), std::move(*combined)};
 }
 
-/// Each combined vertex's position in rational numbers: the layers' vertices as stored, crossings where the two
-/// edges' lines meet, without any shift.
+/// Each combined vertex's position in rational numbers: the layers' vertices as stored, crossings where the
+/// two edges' lines meet, without any shift.
 std::vector<ExactPoint> exactPositions(const Overlaid& o) {
   std::vector<ExactPoint> positions(static_cast<std::size_t>(o.numbers.count));
   for (Index v = 0; v < o.layers.base.vertexCount(); ++v) {
@@ -90,8 +90,8 @@ std::vector<ExactPoint> exactPositions(const Overlaid& o) {
   return positions;
 }
 
-// What a valid combined tile is, decided without rounding: all triangles turn left, they fill the polygon, and
-// they form a disk whose border is the seam.
+// What a valid combined tile is, decided without rounding: all triangles turn left, they fill the polygon,
+// and they form a disk whose border is the seam.
 void verifyExactly(const Overlaid& o) {
   const CombinedTile& c = o.combined;
   const std::vector<ExactPoint> at = exactPositions(o);
@@ -240,7 +240,7 @@ bool sameBits(const CombinedTile& a, const CombinedTile& b) {
 
 }  // namespace
 
-class overlay_test : public QObject {  // NOLINT(readability-identifier-naming): named like the file
+class OverlayTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -300,16 +300,17 @@ class overlay_test : public QObject {  // NOLINT(readability-identifier-naming):
   }
 
   void squeezedTilesGiveExactOverlays() {
-    const TestTile deep = shapes::nestedRings(4, 2, 26);
+    const TestTile deep = shapes::nestedRings(4, 2, 36);
     double smallest = 1;
     for (const auto& [i, j, k] : deep.embedding.faces) {
-      smallest = std::min(smallest, overlay_detail::doubleArea(deep.embedding.uv[static_cast<std::size_t>(i)],
-                                                               deep.embedding.uv[static_cast<std::size_t>(j)],
-                                                               deep.embedding.uv[static_cast<std::size_t>(k)]));
+      smallest =
+          std::min(smallest, overlay_detail::doubleArea(deep.embedding.uv[static_cast<std::size_t>(i)],
+                                                        deep.embedding.uv[static_cast<std::size_t>(j)],
+                                                        deep.embedding.uv[static_cast<std::size_t>(k)]));
     }
     QVERIFY(smallest < 1e-20);
     verify(deep, shapes::nestedRings(4, 3, 12));
-    verify(deep, shapes::nestedRings(4, 2, 26, 3, 0.3));
+    verify(deep, shapes::nestedRings(4, 2, 36, 3, 0.3));
     verify(deep, shapes::randomTile(3, 4, 5, 200));
     verify(shapes::nestedRings(12, 1, 15), shapes::nestedRings(12, 2, 8));
   }
@@ -505,5 +506,5 @@ class overlay_test : public QObject {  // NOLINT(readability-identifier-naming):
   }
 };
 
-QTEST_APPLESS_MAIN(overlay_test)
+QTEST_APPLESS_MAIN(OverlayTest)
 #include "overlay_test.moc"

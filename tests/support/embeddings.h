@@ -18,6 +18,7 @@
 
 #include "core/base/predicates.h"
 #include "core/fusion/combined_tile.h"
+#include "core/fusion/tile.h"
 
 /// Embedded tiles for tests and benchmarks, made without the embedding stage: Tutte's (uniform weights), or
 /// with given positions. All keep the promises of Embedding.
@@ -73,12 +74,16 @@ inline std::vector<std::pair<Index, Index>> divideChords(std::vector<Face>& face
   return chords;
 }
 
-/// Tutte's embedding of a disk whose first vertices are its boundary; chords are divided first. Throws where doubles do not suffice.
+/// Tutte's embedding of a disk whose first vertices are its boundary; chords are divided first. Throws where
+/// doubles do not suffice.
 inline Embedding tutte(std::vector<Face> faces, Index vertices, std::vector<BoundaryPosition> boundary,
                        Index sides) {
   Embedding e;
   const auto b = static_cast<Index>(boundary.size());
-  vertices += static_cast<Index>(divideChords(faces, b, vertices).size());
+  for (const auto& [v, w] : divideChords(faces, b, vertices)) {
+    e.added.push_back({{v, w, v}, {0.5, 0.5, 0}});
+    ++vertices;
+  }
   const Index interior = vertices - b;
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(interior, 2);
@@ -121,8 +126,10 @@ inline Embedding tutte(std::vector<Face> faces, Index vertices, std::vector<Boun
 /// A bumpy surface over the embedding, with as much relief as `height` says.
 inline TestTile lifted(Embedding e, double height) {
   TestTile tile;
+  e.added.clear();  // every vertex is one of the tile
   for (const Point2& p : e.uv) {
-    tile.points.emplace_back(p.x(), p.y(), height * (1 - p.squaredNorm() + 0.2 * std::sin(9 * p.x() + 4 * p.y())));
+    tile.points.emplace_back(p.x(), p.y(),
+                             height * (1 - p.squaredNorm() + 0.2 * std::sin(9 * p.x() + 4 * p.y())));
   }
   tile.embedding = std::move(e);
   return tile;
@@ -187,7 +194,23 @@ inline TestTile renumbered(const TestTile& tile) {
   return other;
 }
 
-/// Rings of `perSide · sides` vertices nested `rings` deep round one vertex: Tutte squeezes them exponentially.
+/// A gathered tile embedded after Tutte, boundary vertices evenly on the sides.
+inline Embedding embedded(const Tile& tile) {
+  std::vector<BoundaryPosition> boundary;
+  const auto sides = static_cast<Index>(tile.corners.size());
+  for (Index side = 0; side < sides; ++side) {
+    const auto i = static_cast<std::size_t>(side);
+    const Index from = tile.corners[i];
+    const Index to = i + 1 < tile.corners.size() ? tile.corners[i + 1] : tile.boundarySize;
+    for (Index v = from; v < to; ++v) {
+      boundary.push_back({side, static_cast<double>(v - from) / (to - from)});
+    }
+  }
+  return tutte(tile.faces, static_cast<Index>(tile.points.size()), std::move(boundary), sides);
+}
+
+/// Rings of `perSide · sides` vertices nested `rings` deep round one vertex: Tutte squeezes them
+/// exponentially.
 inline TestTile nestedRings(Index sides, Index perSide, Index rings, double height = 3, double phase = 0) {
   const Index m = sides * perSide;
   std::vector<BoundaryPosition> boundary;
