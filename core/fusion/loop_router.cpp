@@ -98,7 +98,8 @@ class Router {
       obstacles.setEnds(from, to);
       if (const auto conflict = obstacles.conflict(path->points)) {
         path = pathAround(mesh_, obstacles, from, to, mode_, progress_);
-        if (!path) {
+        assert(!path || !obstacles.conflict(path->points));
+        if (!path || obstacles.conflict(path->points)) {
           attempt.loop = {{}, i, conflict->path, conflict->cv};
           return attempt;
         }

@@ -10,7 +10,6 @@
 #include "core/fusion/zeroed_array.h"
 
 namespace graftsman {
-std::vector<double> waysEstimates;
 namespace {
 
 // A candidate's estimated length may exceed the least by this part: more than the error of the wavefront
@@ -220,7 +219,6 @@ class Front {
       }
       const double side = (s.sx - x) * dy - s.sy * (dx - x);  // above 0: the ray passes d on b's side
       h = side > 0 ? TriangleMesh::prev(twin) : TriangleMesh::next(twin);
-      (void)side;
       origin = position(mesh_, way.back());
     }
   }
@@ -277,8 +275,6 @@ class Meeting {
     std::stable_sort(places.begin(), places.end(), [&](Index a, Index b) { return sum(a) < sum(b); });
     places.resize(std::min(places.size(), kMostWays));
     std::vector<std::vector<EdgePoint>> result;
-    waysEstimates.clear();
-    for (Index v : places) waysEstimates.push_back(sum(v));
     for (const Index v : places) {
       std::vector<EdgePoint> way = fronts_[0].wayFrom(v);
       std::reverse(way.begin(), way.end());
