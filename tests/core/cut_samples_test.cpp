@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "core/io/mesh_file.h"
+#include "core/io/scenario.h"
 #include "tests/support/cut_checks.h"
 #include "tests/support/loops.h"
 
@@ -75,19 +76,71 @@ QByteArray fault(const TriangleMesh& mesh, const LoopPaths& paths) {
   return tile ? QByteArray::fromStdString(checks::tileFault(mesh, cut, *tile)) : QByteArray();
 }
 
+void addRows(const char* folder) {
+  QTest::addColumn<QString>("path");
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (formatOf(entry.path()) || entry.path().extension() == ".json") {
+      QTest::newRow(entry.path().filename().c_str()) << QString::fromStdString(entry.path().string());
+    }
+  }
+}
+
 }  // namespace
 
 class CutSamplesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void randomLoopsOnEverySampleAreCutAndTheirTilesAreDisksOrExplained_data() {
-    QTest::addColumn<QString>("path");
-    for (const auto& entry : std::filesystem::directory_iterator(GRAFTSMAN_SAMPLES "/models")) {
-      if (formatOf(entry.path())) {
-        QTest::newRow(entry.path().filename().c_str()) << QString::fromStdString(entry.path().string());
+  void everyScenariosLoopsHaveTiles_data() { addRows(GRAFTSMAN_SAMPLES "/scenarios"); }
+
+  void everyScenariosLoopsHaveTiles() {
+    QFETCH(QString, path);
+    const auto loaded = readScenario(path.toStdString(), {});
+    QVERIFY2(loaded.has_value(), loaded ? "" : loaded.error().message.c_str());
+    const FusionInputs& inputs = loaded->scenario.inputs;
+    for (const PathMode mode : {PathMode::Straightened, PathMode::Paper}) {
+      for (const Side side : {Side::Part, Side::Base}) {
+        const auto anchored = anchorLoop(side == Side::Part ? inputs.part : inputs.base, inputs.loop, side);
+        QVERIFY(anchored.has_value());
+        const TriangleMesh& mesh = *anchored->mesh;
+        const auto paths = findPaths(mesh, anchored->cvs, mode, side, nullptr, {}, {});
+        QVERIFY2(paths.has_value(), paths ? "" : paths.error().message.c_str());
+        QCOMPARE(fault(mesh, **paths), QByteArray());
+        const auto tile = gatherTile(mesh, cutMesh(mesh, **paths), side, inputs.tile, {});
+        QVERIFY2(tile.has_value(), tile ? "" : tile.error().message.c_str());
       }
     }
+  }
+
+  void foundPathsBetweenRandomVerticesAreCut_data() { addRows(GRAFTSMAN_SAMPLES "/models"); }
+
+  void foundPathsBetweenRandomVerticesAreCut() {
+    QFETCH(QString, path);
+    const auto file = readMesh(path.toStdString(), {});
+    const TriangleMesh& mesh = *file->mesh;
+    std::mt19937 random(1);
+    int found = 0;
+    for (int round = 0; round < 30 && found < 8; ++round) {
+      std::vector<Index> cvs;
+      while (cvs.size() < 3 + static_cast<std::size_t>(round) % 4) {
+        const auto v = static_cast<Index>(random() % static_cast<unsigned>(mesh.vertexCount()));
+        if (!mesh.singular(v) && std::find(cvs.begin(), cvs.end(), v) == cvs.end()) {
+          cvs.push_back(v);
+        }
+      }
+      const PathMode mode = round % 4 == 3 ? PathMode::Paper : PathMode::Straightened;
+      const auto paths = findPaths(mesh, cvs, mode, Side::Base, nullptr, {}, {});
+      if (paths) {  // else on different components, or the paths cross
+        ++found;
+        QCOMPARE(fault(mesh, **paths), QByteArray());
+        QCOMPARE(fault(mesh, loops::reversed(**paths)), QByteArray());
+      }
+    }
+    QVERIFY(found > 0);
+  }
+
+  void randomLoopsOnEverySampleAreCutAndTheirTilesAreDisksOrExplained_data() {
+    addRows(GRAFTSMAN_SAMPLES "/models");
   }
 
   void randomLoopsOnEverySampleAreCutAndTheirTilesAreDisksOrExplained() {
