@@ -79,8 +79,8 @@ std::vector<ExactPoint> exactPositions(const Overlaid& o) {
     const Rational ofA = doubleArea(p, q, a);
     const Rational t = ofA / (ofA - doubleArea(p, q, b));
     const ExactPoint at{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-    ExactPoint& known = positions[static_cast<std::size_t>(o.numbers.ofCrossings[c])];
-    if (crossing.atVertex >= 0) {
+    ExactPoint& known = positions[static_cast<std::size_t>(crossing.vertex)];
+    if (crossing.vertex < o.numbers.firstCrossing) {
       if (known.x != at.x || known.y != at.y) {
         throw std::runtime_error("a crossing was put at a vertex where it is not");
       }
