@@ -26,10 +26,17 @@ struct TileOptions {
 };
 
 /// Gathers the faces left of the oriented boundary edges by flood fill. Cost: in proportion to the tile, not
-/// the mesh (apart from one mark per face). Errors, each with side and remedy: TileNotSeparated,
-/// TileHasHandle, TileHasHole (a border loop of the mesh inside), TileNotManifold (a singular vertex inside,
-/// with its number), TileEmpty, TileClockwise (side Base only: the mesh's component is closed and the tile
-/// has more than half of its area, unless allowLargeTile), Cancelled.
+/// the mesh (apart from a few bits per face and vertex).
+/// Errors, each with side and remedy (that is to reverse the loop where the reversed one would have a tile):
+/// - TileEmpty: the loop runs along the mesh's border with nothing on its left;
+/// - TileNotSeparated: the right side of the loop is reached from the left;
+/// - TileNotManifold: a singular vertex on the loop or inside, with its number;
+/// - TileHasHole: a border of the mesh inside, with a vertex of it;
+/// - TileHasHandle;
+/// - TileClockwise (side Base, unless allowLargeTile): the tile has more than half of the area of its
+///   component, and what is right of the loop is a disk, too, so that the component is a closed one without
+///   handles;
+/// - Cancelled.
 [[nodiscard]] Result<Tile> gatherTile(const TriangleMesh& mesh, const Cut& cut, Side side,
                                       const TileOptions& options, const Progress& progress);
 

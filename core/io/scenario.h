@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -15,7 +16,7 @@ struct Scenario {
   std::string name;
   std::filesystem::path part;  // m1, resolved against the scenario's folder
   std::filesystem::path base;  // m2
-  FusionInputs inputs;         // meshes empty; CVs in the files' own vertex and face numbers
+  FusionInputs inputs;         // meshes empty; CVs in the files' own vertex numbers, faces as read
 };
 
 /// A scenario with its meshes read and its CVs in the meshes' numbers.
@@ -25,15 +26,23 @@ struct LoadedScenario {
   ReadReport baseReport;
 };
 
-/// Parses the JSON text of a scenario. Keys: name, m1, m2, cvp, fcf (a list of [s, f], or a preset's name),
-/// monotone, deform_exponent; optional settings: paths ("straightened" | "paper"), allow_large_tile,
-/// adjustment {rigid, scale, line_field, epsilon, max_iterations}, embedding ("automatic" | "cotangent" |
-/// "mean-value" | "low-stretch"); note and unknown keys are ignored. Error: ScenarioMalformed with the key
-/// (and for broken JSON the line), or the curve's own errors.
+/// Parses the JSON text of a scenario. Keys: name (the file's name without it), m1, m2, cvp (a list of
+/// [m1's, m2's], each a vertex number or {"face": i, "bary": [a, b, c]}), fcf (a list of [s, f], or a
+/// preset's name; "linear" without it), monotone (true without it), deform_exponent; optional settings: paths
+/// ("straightened" | "paper"), allow_large_tile, adjustment {rigid, scale, line_field, exact_fit, epsilon,
+/// max_iterations}, embedding ("automatic" | "cotangent" | "mean-value" | "low-stretch"); note and unknown
+/// keys are ignored. A face number counts the triangles as read, which are the file's faces where all of them
+/// are triangles and none is dropped. `path` gives the folder, and stands in messages. Error:
+/// ScenarioMalformed with the key (and for broken JSON the line), or the curve's own errors.
 [[nodiscard]] Result<Scenario> parseScenario(std::string_view text, const std::filesystem::path& path);
 
-/// Reads a scenario and its two meshes (each file once). Errors: also those of readMesh, and
-/// LoopIndexOutOfRange.
+/// The JSON text of a scenario that would be saved at `path`: parseScenario() of it with the same path gives
+/// an equal scenario, numbers bit for bit. Ends with a newline.
+[[nodiscard]] std::string formatScenario(const Scenario& scenario, const std::filesystem::path& path);
+
+/// Reads a scenario and its two meshes (each file once: m1 and m2 alike share one mesh). Errors:
+/// FileUnreadable, those of parseScenario and readMesh, and LoopIndexOutOfRange (names the CV, the file and
+/// what it has).
 [[nodiscard]] Result<LoadedScenario> readScenario(const std::filesystem::path& path,
                                                   const Progress& progress);
 

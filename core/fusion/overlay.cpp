@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/parallel.h"
+#include "core/fusion/combined_tile.h"
+#include "core/fusion/overlay_cells.h"
+#include "core/fusion/overlay_trace.h"
+#include "core/fusion/overlay_vertices.h"
+#include "core/fusion/seam_merge.h"
+
+namespace graftsman {
+namespace {
+
+constexpr std::size_t kGrain = 16384;  // vertices a thread takes at a time
+constexpr Index kFewSides = 12;        // all of them are sooner looked at than an angle is computed
+
+Point2 outward(Index sides, Index side) {
+  const double angle = std::numbers::pi * (2 * side + 1) / sides;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+// The side in whose sector the point lies. On the ray between two sectors both sides are equally near.
+Index sectorOf(Index sides, const Point2& uv) {
+  const double turns = std::atan2(uv.y(), uv.x()) / (2 * std::numbers::pi);
+  const auto sector = static_cast<Index>(std::floor(turns * sides));
+  return ((sector % sides) + sides) % sides;
+}
+
+double distanceFromSide(double apothem, const Point2& outwards, const Point2& uv) {
+  return std::clamp((apothem - outwards.dot(uv)) / apothem, 0.0, 1.0);
+}
+
+/// seamDistance() of many points.
+class SeamDistance {
+ public:
+  explicit SeamDistance(Index sides) : apothem_(std::cos(std::numbers::pi / sides)) {
+    for (Index i = 0; i < sides; ++i) {
+      outwards_.push_back(outward(sides, i));
+    }
+  }
+
+  double operator()(const Point2& uv) const {
+    const auto sides = static_cast<Index>(outwards_.size());
+    if (sides > kFewSides) {
+      return distanceFromSide(apothem_, outwards_[static_cast<std::size_t>(sectorOf(sides, uv))], uv);
+    }
+    double s = 1;
+    for (const Point2& outwards : outwards_) {
+      s = std::min(s, distanceFromSide(apothem_, outwards, uv));
+    }
+    return s;
+  }
+
+ private:
+  double apothem_;
+  std::vector<Point2> outwards_;
+};
+
+void fillSeamDistances(Index sides, CombinedTile& combined) {
+  const SeamDistance distance(sides);
+  combined.s.assign(combined.uv.size(), 0);
+  parallelRanges(combined.uv.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = std::max(begin, static_cast<std::size_t>(combined.seamSize)); v < end; ++v) {
+      combined.s[v] = distance(combined.uv[v]);
+    }
+  });
+}
+
+}  // namespace
+
+double seamDistance(Index sides, const Point2& uv) {
+  return SeamDistance(sides)(uv);
+}
+
+Result<CombinedTile> overlay(const EmbeddedTile& part, const EmbeddedTile& base, const Progress& progress) {
+  using namespace overlay_detail;
+  const auto cancelled = [] { return fail(ErrorCode::Cancelled, "Cancelled."); };
+  if (!progress.keepGoing(0)) {
+    return cancelled();
+  }
+  const Result<Layers> layers = mergeSeams(part.embedding, base.embedding);
+  if (!layers) {
+    return fail(layers.error());
+  }
+  if (!progress.keepGoing(0.2)) {
+    return cancelled();
+  }
+  Result<Trace> trace = traceBase(*layers, progress.span(0.2, 0.5));
+  if (!trace) {
+    return fail(trace.error());
+  }
+  CombinedTile combined;
+  const VertexNumbers numbers = numberVertices(*layers, *trace);
+  if (!progress.keepGoing(0.5)) {
+    return cancelled();
+  }
+  placeVertices(part, base, *layers, *trace, numbers, combined);
+  fillSeamDistances(part.embedding.sides, combined);
+  if (auto filled = fillCells(*layers, *trace, numbers, combined, progress.span(0.7, 1)); !filled) {
+    return fail(filled.error());
+  }
+  return combined;
+}
+
+}  // namespace graftsman

@@ -1,0 +1,450 @@
+#include "core/io/scenario.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <random>
+
+#include "core/fusion/rigid_fit.h"
+#include "core/io/printable.h"
+#include "tests/support/samples.h"
+
+using namespace graftsman;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string kHead = R"({"m1": "a.obj", "m2": "b.obj", "cvp": [[0, 1], [2, 3], [4, 5]])";
+
+// Two triangles that share no vertex: reading welds them.
+const char* const kSoup = "v 1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nf 4 1 3\nf 2 5 6\n";
+const char* const kQuad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+
+// A temporary folder to put files into.
+class Folder {
+ public:
+  [[nodiscard]] fs::path path() const { return folder_.path().toStdString(); }
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path() / name, std::ios::binary) << text;
+    return path() / name;
+  }
+
+ private:
+  QTemporaryDir folder_;
+};
+
+// A valid scenario with one more key, or one that it overrides.
+std::string with(const std::string& keyAndValue) {
+  return kHead + ", " + keyAndValue + "}";
+}
+
+Result<Scenario> parse(const std::string& text) {
+  return parseScenario(text, "folder/some.json");
+}
+
+std::string messageOf(const Result<Scenario>& result) {
+  return result ? "no error" : result.error().message;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// Checks that `text` is refused with a message that names `key`.
+void mustFail(const std::string& text, const std::string& key,
+              ErrorCode code = ErrorCode::ScenarioMalformed) {
+  const Result<Scenario> result = parse(text);
+  QVERIFY2(!result, text.c_str());
+  QVERIFY2(result.error().code == code, messageOf(result).c_str());
+  QVERIFY2(contains(messageOf(result), key), (text + " → " + messageOf(result)).c_str());
+  QVERIFY2(contains(messageOf(result), "folder/some.json"), messageOf(result).c_str());
+}
+
+std::string readAll(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+bool sameInputs(const FusionInputs& a, const FusionInputs& b) {
+  return a.loop == b.loop && a.paths == b.paths && a.tile.allowLargeTile == b.tile.allowLargeTile &&
+         a.adjustment == b.adjustment && a.embedding == b.embedding && a.fcf == b.fcf;
+}
+
+}  // namespace
+
+class ScenarioTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void everySampleParsesWithItsCounts() {
+    const std::vector<std::pair<const char*, std::size_t>> samples = {
+        {"fig4a_cone_sphere", 8}, {"fig4b_cone_sphere", 8},     {"fig4c_cone_sphere", 8},
+        {"fig4d_cone_sphere", 8}, {"fig7_letters_bottle", 6},   {"fig8b_cone_nose", 8},
+        {"fig8c_cone_nose", 8},   {"fig8d_hemisphere_nose", 8}, {"fig8e_hemisphere_nose", 8},
+        {"fig9a_cars", 7},        {"fig9b_bird_plane", 5}};
+    const fs::path folder = fs::path(GRAFTSMAN_SAMPLES) / "scenarios";
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      files += entry.path().extension() == ".json" ? 1 : 0;
+    }
+    QCOMPARE(files, samples.size());
+    for (const auto& [name, pairs] : samples) {
+      const fs::path path = folder / (std::string(name) + ".json");
+      const Result<Scenario> scenario = parseScenario(readAll(path), path);
+      QVERIFY2(scenario, messageOf(scenario).c_str());
+      QCOMPARE(scenario->inputs.loop.size(), pairs);
+      QVERIFY(scenario->inputs.adjustment == AdjustmentSettings());
+      QVERIFY(scenario->inputs.fcf.points().size() >= 4);
+      QVERIFY(fs::exists(scenario->part) && fs::exists(scenario->base));
+      QVERIFY(!scenario->name.empty());
+    }
+  }
+
+  void aSampleHasTheCurveOfItsFigure() {
+    const fs::path path = fs::path(GRAFTSMAN_SAMPLES) / "scenarios" / "fig4b_cone_sphere.json";
+    QVERIFY(parseScenario(readAll(path), path)->inputs.fcf == FCF::preset(FCF::Preset::Paste));
+  }
+
+  void aMinimalScenarioHasTheDefaults() {
+    const Scenario scenario = parse(kHead + "}").value();
+    QCOMPARE(scenario.name, std::string("some"));
+    QCOMPARE(scenario.part, fs::path("folder/a.obj"));
+    QCOMPARE(scenario.base, fs::path("folder/b.obj"));
+    FusionInputs defaults;
+    defaults.loop = {{SurfacePoint::atVertex(0), SurfacePoint::atVertex(1)},
+                     {SurfacePoint::atVertex(2), SurfacePoint::atVertex(3)},
+                     {SurfacePoint::atVertex(4), SurfacePoint::atVertex(5)}};
+    QVERIFY(sameInputs(scenario.inputs, defaults));
+    QVERIFY(!scenario.inputs.part && !scenario.inputs.base);
+  }
+
+  void everySettingIsRead() {
+    const Scenario scenario =
+        parse(with(R"("name": "nose", "fcf": [[0, 0.1], [0.3, 0.2], [0.5, 0.9], [1, 0.8]], "monotone": false,
+                      "deform_exponent": 4.5, "paths": "paper", "allow_large_tile": true, "note": [1, {}],
+                      "unknown": null, "embedding": "low-stretch",
+                      "adjustment": {"rigid": false, "scale": false, "line_field": false, "epsilon": 0,
+                                     "max_iterations": 7})"))
+            .value();
+    QCOMPARE(scenario.name, std::string("nose"));
+    FusionInputs expected = scenario.inputs;
+    expected.paths = PathMode::Paper;
+    expected.tile.allowLargeTile = true;
+    expected.adjustment = {false, false, false, 0, 4.5, 7};
+    expected.embedding.method = EmbeddingSettings::Method::LowStretch;
+    expected.fcf = FCF::through({{0, 0.1}, {0.3, 0.2}, {0.5, 0.9}, {1, 0.8}}, false).value();
+    QVERIFY(sameInputs(scenario.inputs, expected));
+    QCOMPARE(parse(with(R"("embedding": "cotangent")"))->inputs.embedding.method,
+             EmbeddingSettings::Method::Cotangent);
+    QCOMPARE(parse(with(R"("embedding": "mean-value")"))->inputs.embedding.method,
+             EmbeddingSettings::Method::MeanValue);
+    QCOMPARE(parse(with(R"("paths": "straightened")"))->inputs.paths, PathMode::Straightened);
+  }
+
+  void aCurveMayBeAPresetsName() {
+    QVERIFY(parse(with(R"("fcf": "half")"))->inputs.fcf == FCF::preset(FCF::Preset::Half));
+    const FCF plain = parse(with(R"("fcf": "paste", "monotone": false)"))->inputs.fcf;
+    QVERIFY(!plain.monotone());
+    QVERIFY(plain.points() == FCF::preset(FCF::Preset::Paste).points());
+  }
+
+  void aCvMayBeAPointOfAFace() {
+    const Scenario scenario =
+        parse(R"({"m1": "a", "m2": "b", "cvp": [[{"face": 7, "bary": [0.25, 0.5, 0.25]}, 9]]})").value();
+    const CVP expected = {{-1, 7, {0.25, 0.5, 0.25}}, SurfacePoint::atVertex(9)};
+    QVERIFY(scenario.inputs.loop == Loop{expected});
+  }
+
+  void anAbsoluteMeshPathStaysAsItIs() {
+    const Scenario scenario = parse(R"({"m1": "/x/a.obj", "m2": "../b.obj", "cvp": []})").value();
+    QCOMPARE(scenario.part, fs::path("/x/a.obj"));
+    QCOMPARE(scenario.base, fs::path("folder/../b.obj"));
+  }
+
+  void missingKeysAreNamed() {
+    mustFail("{}", "\"m1\" is missing");
+    mustFail(R"({"m1": "a"})", "\"m2\" is missing");
+    mustFail(R"({"m1": "a", "m2": "b"})", "\"cvp\" is missing");
+  }
+
+  void wrongTypesAreNamedWithWhatWasExpected() {
+    mustFail("[]", "JSON object");
+    mustFail("3", "JSON object");
+    mustFail(R"({"m1": 3, "m2": "b", "cvp": []})", "\"m1\"");
+    mustFail(R"({"m1": "", "m2": "b", "cvp": []})", "\"m1\"");
+    mustFail(R"({"m1": "a\u0000b", "m2": "b", "cvp": []})", "\"m1\"");
+    mustFail(R"({"m1": "a", "m2": ["b"], "cvp": []})", "\"m2\"");
+    mustFail(R"({"m1": "a", "m2": "b", "cvp": {"0": [1, 2]}})", "\"cvp\"");
+    mustFail(with(R"("name": 3)"), "\"name\" must be a text");
+    mustFail(with(R"("monotone": "yes")"), "\"monotone\" must be true or false");
+    mustFail(with(R"("allow_large_tile": 1)"), "\"allow_large_tile\"");
+    mustFail(with(R"("deform_exponent": "5")"), "\"deform_exponent\"");
+    mustFail(with(R"("paths": "shortest")"), "\"straightened\", \"paper\"");
+    mustFail(with(R"("paths": 1)"), "\"paths\"");
+    mustFail(with(R"("embedding": "harmonic")"), "\"embedding\" must be one of \"automatic\"");
+    mustFail(with(R"("adjustment": true)"), "\"adjustment\"");
+    mustFail(with(R"("adjustment": {"rigid": 1})"), "\"adjustment.rigid\"");
+    mustFail(with(R"("adjustment": {"epsilon": null})"), "\"adjustment.epsilon\"");
+  }
+
+  void settingsOutOfRangeAreNamed() {
+    for (const char* value : {"0", "-5", "-0.0"}) {
+      mustFail(with(std::string("\"deform_exponent\": ") + value), "\"deform_exponent\"");
+    }
+    mustFail(with(R"("adjustment": {"epsilon": -0.001})"), "\"adjustment.epsilon\"");
+    for (const char* value : {"0", "-1", "1.5", "3000000000", "1e9"}) {
+      mustFail(with(std::string(R"("adjustment": {"max_iterations": )") + value + "}"),
+               "\"adjustment.max_iterations\"");
+    }
+  }
+
+  void entriesOfCvpThatAreNoPairAreNamed() {
+    for (const char* entry : {"[5]", "[1, 2, 3]", "[]", "5", "null", "\"1,2\"", "{\"part\": 1}"}) {
+      mustFail(std::string(R"({"m1": "a", "m2": "b", "cvp": [[0, 0], )") + entry + "]}", "\"cvp[1]\"");
+    }
+  }
+
+  void numbersThatAreNoVertexAreNamedWithEntryAndSide() {
+    for (const char* number : {"-1", "1.5", "2.0", "1e300", "1e2", "2147483648", "99999999999999999999999",
+                               "\"3\"", "true", "null", "[1]"}) {
+      const std::string text = std::string(R"({"m1": "a", "m2": "b", "cvp": [[0, 0], [1, )") + number + "]]}";
+      mustFail(text, "\"cvp[1][1]\" must be a vertex number of the base");
+    }
+    mustFail(R"({"m1": "a", "m2": "b", "cvp": [[-1, 0]]})",
+             "\"cvp[0][0]\" must be a vertex number of the part");
+  }
+
+  void pointsOfFacesThatAreNoneAreNamed() {
+    for (const char* point :
+         {R"({"face": 1})", R"({"bary": [1, 0, 0]})", R"({"face": 1, "bary": [1, 0]})",
+          R"({"face": 1, "bary": [1, 0, 0, 0]})", R"({"face": 1, "bary": "1 0 0"})", "{}"}) {
+      mustFail(std::string(R"({"m1": "a", "m2": "b", "cvp": [[)") + point + ", 0]]}", "\"cvp[0][0]\"");
+    }
+    mustFail(R"({"m1": "a", "m2": "b", "cvp": [[{"face": -1, "bary": [1, 0, 0]}, 0]]})",
+             "\"cvp[0][0].face\"");
+    mustFail(R"({"m1": "a", "m2": "b", "cvp": [[0, {"face": 1, "bary": [1, null, 0]}]]})",
+             "\"cvp[0][1].bary[1]\"");
+  }
+
+  void curvesOfAWrongShapeAreNamed() {
+    mustFail(with(R"("fcf": "bump")"), "\"fcf\"");
+    mustFail(with(R"("fcf": {"0": 1})"), "\"fcf\"");
+    mustFail(with(R"("fcf": [[0, 0], [0.3], [0.6, 0.5], [1, 1]])"), "\"fcf[1]\"");
+    mustFail(with(R"("fcf": [[0, 0], [0.3, 0, 1], [0.6, 0.5], [1, 1]])"), "\"fcf[1]\"");
+    mustFail(with(R"("fcf": [[0, 0], [0.3, "0"], [0.6, 0.5], [1, 1]])"), "\"fcf[1][1]\"");
+    mustFail(with(R"("fcf": [0, 0, 1, 1])"), "\"fcf[0]\"");
+  }
+
+  void theCurvesOwnErrorsAreKept() {
+    mustFail(with(R"("fcf": [[0, 0], [0.3, 0], [1, 1]])"), "fcf", ErrorCode::CurveTooShort);
+    mustFail(with(R"("fcf": [[0.1, 0], [0.3, 0], [0.5, 0], [1, 1]])"), "point 0", ErrorCode::CurveEndsWrong);
+    mustFail(with(R"("fcf": [[0, 0], [0.3, 0], [0.3, 0], [1, 1]])"), "point 2",
+             ErrorCode::CurveNotIncreasing);
+    mustFail(with(R"("fcf": [[0, 0], [0.3, 2], [0.5, 0], [1, 1]])"), "point 1", ErrorCode::CurveOutOfRange);
+  }
+
+  void numbersMustBeFinite() {
+    mustFail(with(R"("deform_exponent": 1e999)"), "");
+    mustFail(with(R"("deform_exponent": NaN)"), "line 1");
+    mustFail(with(R"("fcf": [[0, 0], [0.3, Infinity], [0.5, 0], [1, 1]])"), "line 1");
+  }
+
+  void brokenJsonNamesItsLine() {
+    mustFail("{\n\"m1\": \"a\",\n\"m2\": }", "line 3");
+    mustFail("", "line 1");
+    mustFail("{\"m1\": \"a\"", "line 1");
+    mustFail(kHead + "} trailing", "line 1");
+    mustFail(kHead + ",\n// comment\n}", "line 2");
+  }
+
+  void hostileNestingIsRefused() {
+    mustFail(std::string(1000000, '['), "nested");
+    mustFail(with("\"note\": " + std::string(100000, '[') + std::string(100000, ']')), "nested");
+    std::string objects;
+    for (int i = 0; i < 100000; ++i) {
+      objects += "{\"a\":";
+    }
+    mustFail(objects, "nested");
+    const std::string harmless = with("\"note\": \"" + std::string(1000, '[') + "\\\"{\"");
+    QVERIFY2(parse(harmless), messageOf(parse(harmless)).c_str());
+  }
+
+  void strangeBytesDoNotGetIntoTheMessage() {
+    const std::string bytes = std::string("{\"m1\": \"a\xff\xfe") + '\0' + "\x1b[31m\", \"m2\": \"b\"}";
+    const Result<Scenario> result = parseScenario(bytes, "bad\xffname\n.json");
+    QCOMPARE(result.error().code, ErrorCode::ScenarioMalformed);
+    for (const char c : result.error().message) {
+      QVERIFY(static_cast<unsigned char>(c) >= 0x20 && c != '\xff' && c != '\xfe');
+    }
+    QVERIFY(contains(result.error().message, "bad\\xffname\\x0a.json"));
+    QVERIFY(!parse(std::string("\0\0\0", 3)));
+  }
+
+  void printableKeepsTextAndEscapesTheRest() {
+    QCOMPARE(printable("Größe ✓ 𝄞"), std::string("Größe ✓ 𝄞"));
+    QCOMPARE(printable("a\n\x7f\xc3"), std::string("a\\x0a\\x7f\\xc3"));
+    QCOMPARE(printable("\xc0\xaf\xed\xa0\x80\xf5"), std::string("\\xc0\\xaf\\xed\\xa0\\x80\\xf5"));
+    QCOMPARE(printable("abcdef", 3), std::string("abc…"));
+  }
+
+  void whatIsFormattedParsesBackTheSame() {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int i = 0; i < 50; ++i) {
+      Scenario scenario;
+      scenario.name = "näme \"quoted\" \n";
+      scenario.part = "some/folder/../models/part.obj";
+      scenario.base = i % 2 == 0 ? "/absolute/base.ply" : "some/folder/base.ply";
+      const double a = unit(random);
+      scenario.inputs.loop = {{SurfacePoint::atVertex(i), {-1, 2 * i, {a, unit(random), 1 - a}}},
+                              {{-1, 0, {1e-300, 1, 0.1 + 0.2}}, SurfacePoint::atVertex(2147483647)}};
+      scenario.inputs.paths = i % 2 == 0 ? PathMode::Paper : PathMode::Straightened;
+      scenario.inputs.tile.allowLargeTile = i % 3 == 0;
+      scenario.inputs.adjustment = {i % 2 == 0,   i % 3 == 0,       i % 5 == 0,
+                                    unit(random), 5 * unit(random), 1 + i};
+      scenario.inputs.embedding.method = static_cast<EmbeddingSettings::Method>(i % 4);
+      scenario.inputs.fcf =
+          FCF::through({{0, unit(random)}, {0.1 + 0.2 * unit(random), unit(random)}, {0.7, 1.0 / 3}, {1, 0}},
+                       i % 2 == 0)
+              .value();
+      const fs::path path = "some/folder/x.json";
+      const Result<Scenario> back = parseScenario(formatScenario(scenario, path), path);
+      QVERIFY2(back, messageOf(back).c_str());
+      QCOMPARE(back->name, scenario.name);
+      QCOMPARE(back->part, scenario.part);
+      QCOMPARE(back->base, scenario.base);
+      QVERIFY(sameInputs(back->inputs, scenario.inputs));
+    }
+  }
+
+  void aScenarioSavedElsewhereStillFindsItsMeshes() {
+    Scenario scenario;
+    scenario.part = "models/part.obj";
+    scenario.base = "base.obj";
+    const auto reopened = [&](const fs::path& path) {
+      const Scenario back = parseScenario(formatScenario(scenario, path), path).value();
+      const auto full = [](const fs::path& file) { return fs::absolute(file).lexically_normal(); };
+      return full(back.part) == full(scenario.part) && full(back.base) == full(scenario.base);
+    };
+    for (const char* path : {"x.json", "models/x.json", "other/deep/x.json", "../x.json", "/tmp/x.json"}) {
+      QVERIFY2(reopened(path), path);
+    }
+  }
+
+  void everySampleLoadsWithItsMeshes() {
+    for (const std::string& name : samples::kScenarios) {
+      const Result<LoadedScenario> loaded = readScenario(samples::scenarioPath(name), {});
+      QVERIFY2(loaded, loaded ? "" : loaded.error().message.c_str());
+      const FusionInputs& inputs = loaded->scenario.inputs;
+      for (const CVP& cvp : inputs.loop) {
+        QVERIFY(cvp.part.vertex >= 0 && cvp.part.vertex < inputs.part->vertexCount());
+        QVERIFY(cvp.base.vertex >= 0 && cvp.base.vertex < inputs.base->vertexCount());
+      }
+    }
+    const FusionInputs cone = samples::load("fig4a_cone_sphere");
+    QCOMPARE(cone.part->faceCount(), 864);
+    QCOMPARE(cone.base->faceCount(), 1840);
+    // The note says that both boundaries are the circle of radius 0.8: the files' numbers were kept.
+    std::vector<Point> part;
+    std::vector<Point> base;
+    for (const CVP& cvp : cone.loop) {
+      part.push_back(cone.part->point(cvp.part.vertex));
+      base.push_back(cone.base->point(cvp.base.vertex));
+    }
+    for (const std::vector<Point>& circle : {part, base}) {
+      for (const Point& p : circle) {
+        QVERIFY(std::abs((p - centroid(circle)).norm() - 0.8) < 1e-5);
+      }
+    }
+    const Adjustment adjusted = adjust({}, part, base, {}, {}).value();
+    QCOMPARE(adjusted.report.reached, AdjustmentStep::Rigid);
+  }
+
+  void cvsFollowTheVerticesThatReadingWelds() {
+    const Folder folder;
+    folder.write("soup.obj", kSoup);
+    folder.write("base.obj", kQuad);
+    const fs::path file = folder.write(
+        "s.json", R"({"m1": "soup.obj", "m2": "base.obj", "cvp": [[3, 3], [1, 1], [5, 2], [4, 0]]})");
+    const LoadedScenario loaded = readScenario(file, {}).value();
+    const FusionInputs& inputs = loaded.scenario.inputs;
+    QCOMPARE(inputs.part->vertexCount(), 4);
+    QVERIFY(loaded.partReport.welded == 2);
+    const std::vector<Point> expected = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      QVERIFY(inputs.part->point(inputs.loop[i].part.vertex) == expected[i]);
+    }
+    QCOMPARE(inputs.loop[0].base.vertex, 3);
+  }
+
+  void aFileThatIsPartAndBaseIsReadOnce() {
+    const Folder folder;
+    folder.write("a.obj", kQuad);
+    const fs::path file =
+        folder.write("s.json", R"({"m1": "a.obj", "m2": "./a.obj", "cvp": [[0, 0], [1, 1], [2, 2]]})");
+    const FusionInputs inputs = readScenario(file, {})->scenario.inputs;
+    QVERIFY(inputs.part && inputs.part == inputs.base);
+  }
+
+  void numbersBeyondTheMeshAreNamedWithWhatItHas() {
+    const Folder folder;
+    folder.write("soup.obj", kSoup);
+    folder.write("base.obj", kQuad);
+    const auto errorOf = [&](const std::string& cvp) {
+      const fs::path file =
+          folder.write("s.json", R"({"m1": "soup.obj", "m2": "base.obj", "cvp": [[0, 0], )" + cvp + "]}");
+      return readScenario(file, {}).error();
+    };
+    const Error part = errorOf("[6, 0]");
+    QCOMPARE(part.code, ErrorCode::LoopIndexOutOfRange);
+    QVERIFY(part.side == Side::Part && part.cvs == std::vector<int>{1});
+    QVERIFY2(contains(part.message, "CV 1 of the part is vertex 6") && contains(part.message, "soup.obj") &&
+                 contains(part.message, "6 vertices"),
+             part.message.c_str());
+    const Error base = errorOf("[5, 4]");
+    QCOMPARE(base.code, ErrorCode::LoopIndexOutOfRange);
+    QVERIFY(base.side == Side::Base);
+    QVERIFY2(contains(base.message, "base.obj has 4 vertices"), base.message.c_str());
+    const Error face = errorOf("[{\"face\": 2, \"bary\": [1, 0, 0]}, 0]");
+    QCOMPARE(face.code, ErrorCode::LoopIndexOutOfRange);
+    QVERIFY2(contains(face.message, "face 2") && contains(face.message, "2 faces"), face.message.c_str());
+  }
+
+  void filesThatCannotBeReadAreNamed() {
+    const Folder folder;
+    const Error missing = readScenario(folder.path() / "none.json", {}).error();
+    QCOMPARE(missing.code, ErrorCode::FileUnreadable);
+    QVERIFY(contains(missing.message, "none.json"));
+    QCOMPARE(readScenario(folder.path(), {}).error().code, ErrorCode::FileUnreadable);
+
+    folder.write("a.obj", kQuad);
+    const Error mesh =
+        readScenario(folder.write("s.json", R"({"m1": "a.obj", "m2": "no.obj", "cvp": []})"), {}).error();
+    QCOMPARE(mesh.code, ErrorCode::FileUnreadable);
+    QVERIFY(mesh.side == Side::Base);
+    QVERIFY(contains(mesh.message, "no.obj"));
+    const Error format =
+        readScenario(folder.write("s.json", R"({"m1": "a.xyz", "m2": "a.obj", "cvp": []})"), {}).error();
+    QCOMPARE(format.code, ErrorCode::FormatUnknown);
+    QVERIFY(format.side == Side::Part);
+  }
+
+  void aHugeFileIsNoScenario() {
+    const Folder folder;
+    const fs::path file = folder.write("huge.json", "{");
+    fs::resize_file(file, std::uintmax_t{1} << 31);
+    QCOMPARE(readScenario(file, {}).error().code, ErrorCode::ScenarioMalformed);
+  }
+
+  void aCancelledReadSaysSo() {
+    const Progress cancel([](double) { return false; }, std::chrono::seconds(0));
+    QCOMPARE(readScenario(samples::scenarioPath("fig9b_bird_plane"), cancel).error().code,
+             ErrorCode::Cancelled);
+  }
+};
+
+QTEST_APPLESS_MAIN(ScenarioTest)
+#include "scenario_test.moc"
