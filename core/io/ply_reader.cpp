@@ -382,33 +382,33 @@ class BodyParser {
 // The number of declared vertices, if the header declares all that a mesh needs.
 Result<std::size_t> checkElements(const ReadInput& input, const PlyHeader& header) {
   const PlyElement* vertex = nullptr;
-  bool hasStrips = false;
-  int cornerLists = 0;
+  const PlyElement* strips = nullptr;
+  const PlyElement* face = nullptr;
   for (const PlyElement& element : header.elements) {
     vertex = element.name == "vertex" ? &element : vertex;
-    hasStrips = hasStrips || element.name == "tristrips";
-    for (const PlyProperty& p : element.properties) {
-      cornerLists += element.name == "face" && isCornerList(p) ? 1 : 0;
-    }
+    strips = element.name == "tristrips" ? &element : strips;
+    face = element.name == "face" ? &element : face;
   }
-  for (const char* const axis : {"x", "y", "z"}) {
-    int found = 0;
-    for (const PlyProperty& p : vertex != nullptr ? vertex->properties : std::vector<PlyProperty>()) {
-      found += p.name == axis && !p.isList ? 1 : 0;
-    }
+  if (vertex == nullptr) {
+    return malformedLine(input, header.body, "the header declares no element 'vertex'");
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto found = std::count_if(vertex->properties.begin(), vertex->properties.end(),
+                                     [axis](const PlyProperty& p) { return axisOf(p) == axis; });
     if (found != 1) {
-      return malformedLine(input, header.body,
-                           vertex == nullptr ? std::string("the header declares no element 'vertex'")
-                                             : std::string("the element 'vertex' must have one property '") +
-                                                   axis + "', it has " + std::to_string(found));
+      return malformedLine(input, vertex->line,
+                           std::string("the element 'vertex' must have one property '") + "xyz"[axis] +
+                               "', it has " + std::to_string(found));
     }
   }
-  if (cornerLists == 0 && hasStrips) {
-    return malformedLine(input, header.body,
+  const auto lists =
+      face != nullptr ? std::count_if(face->properties.begin(), face->properties.end(), isCornerList) : 0;
+  if (lists == 0 && strips != nullptr) {
+    return malformedLine(input, strips->line,
                          "the file holds triangle strips, which are not read; save it with faces");
   }
-  if (cornerLists > 1) {
-    return malformedLine(input, header.body, "the element 'face' has two lists of vertices");
+  if (lists > 1) {
+    return malformedLine(input, face->line, "the element 'face' has two lists of vertices");
   }
   return vertex->count;
 }
