@@ -190,7 +190,8 @@ class WindowSearch {
     }
     // Where the ray to the apex passes the edge.
     const double passing = w.source.x() - (apex.x() - w.source.x()) * w.source.y() / rise;
-    if (w.b0 < passing && passing < w.b1) {
+    const double slack = kGrazing * frame.length;
+    if (w.b0 - slack <= passing && passing <= w.b1 + slack) {
       lower(apexVertex, w.rootDistance + (apex - w.source).norm(), ~index);
     }
     if (passing > w.b0) {
