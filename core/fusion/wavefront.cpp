@@ -21,6 +21,10 @@ constexpr std::size_t kMostWays = 6;
 // long.
 constexpr double kSmallestCorrection = 1e-7;
 constexpr int kProgressInterval = 1024;
+// A vertex is among long and thin triangles if its longest edge is so many times its shortest; models for
+// animation and scans have a few percent of such vertices, tessellated solids nearly nothing else.
+constexpr double kElongated = 8;
+constexpr double kManyElongated = 0.2;
 // A ray that passes a vertex closer than this part of the edge goes through it: closer than its own error.
 constexpr double kNearVertex = 1e-3;
 // A ray ends at the vertex of a face from where the rest is longer by at most this part, which is rounding.
@@ -48,8 +52,11 @@ Unfolded unfoldSource(double base, double da, double db) {
 
 class Front {
  public:
-  Front(const TriangleMesh& mesh, Index source)
-      : mesh_(mesh), nodes_(static_cast<std::size_t>(mesh.vertexCount())) {
+  Front(const TriangleMesh& mesh, Index source, Index goal, double bound)
+      : mesh_(mesh),
+        goal_(mesh.point(goal)),
+        bound_(bound),
+        nodes_(static_cast<std::size_t>(mesh.vertexCount())) {
     nodes_[source] = {0, source, 1};
     heap_.push(0, source);
   }
@@ -69,6 +76,7 @@ class Front {
     const Index v = heap_.pop().value;
     nodes_[v].state = 2;
     gatherSpokes(v);
+    countElongated();
     for (std::size_t k = 0; k < spokes_.size(); ++k) {
       const Spoke& target = spokes_[k];
       const Node& node = nodes_[target.vertex];
@@ -89,6 +97,9 @@ class Front {
     }
     return v;
   }
+
+  [[nodiscard]] long settledCount() const { return settled_; }
+  [[nodiscard]] long elongatedCount() const { return elongated_; }
 
   // The way from v back to the source, along the rays that its distance came by.
   [[nodiscard]] std::vector<EdgePoint> wayFrom(Index v) const {
@@ -124,6 +135,17 @@ class Front {
     Index via;
   };
 
+  void countElongated() {
+    double least = spokes_.front().squaredLength;
+    double greatest = least;
+    for (const Spoke& spoke : spokes_) {
+      least = std::min(least, spoke.squaredLength);
+      greatest = std::max(greatest, spoke.squaredLength);
+    }
+    ++settled_;
+    elongated_ += greatest > kElongated * kElongated * least ? 1 : 0;
+  }
+
   void gatherSpokes(Index v) {
     spokes_.clear();
     const Point& origin = mesh_.point(v);
@@ -147,6 +169,9 @@ class Front {
   void lower(Index v, const Update& update) {
     Node& node = nodes_[v];
     if (node.state != 0 && !(update.distance < node.distance * (1 - kSmallestCorrection))) {
+      return;
+    }
+    if (node.state == 0 && update.distance + (mesh_.point(v) - goal_).norm() > bound_) {
       return;
     }
     node = {update.distance, update.via, 1};
@@ -237,22 +262,27 @@ class Front {
   }
 
   const TriangleMesh& mesh_;
+  Point goal_;
+  double bound_;
   ZeroedArray<Node> nodes_;
   MinHeap heap_;
+  long settled_ = 0;
+  long elongated_ = 0;         // of these, how many have edges of very different length
   std::vector<Spoke> spokes_;  // of the vertex just settled
   bool closed_ = false;        // whether they go all the way round
 };
 
 class Meeting {
  public:
-  Meeting(const TriangleMesh& mesh, Index from, Index to) : mesh_(mesh), fronts_{{mesh, from}, {mesh, to}} {}
+  Meeting(const TriangleMesh& mesh, Index from, Index to, double bound)
+      : mesh_(mesh), fronts_{{mesh, from, to, bound}, {mesh, to, from, bound}}, bound_(bound) {}
 
   bool run(const Progress& progress) {
     int settled = 0;
     for (;;) {
       const double r0 = fronts_[0].radius();
       const double r1 = fronts_[1].radius();
-      if (!(r0 + r1 < best_ * (1 + kSpread))) {
+      if (!(r0 + r1 < std::min(bound_, best_ * (1 + kSpread)))) {
         return true;  // also where both are infinite
       }
       Front& front = fronts_[r0 <= r1 ? 0 : 1];
@@ -266,6 +296,12 @@ class Meeting {
         return false;
       }
     }
+  }
+
+  bool elongated() const {
+    const auto settled = static_cast<double>(fronts_[0].settledCount() + fronts_[1].settledCount());
+    const auto count = static_cast<double>(fronts_[0].elongatedCount() + fronts_[1].elongatedCount());
+    return count > kManyElongated * settled;
   }
 
   std::vector<std::vector<EdgePoint>> ways() {
@@ -332,18 +368,19 @@ class Meeting {
   const TriangleMesh& mesh_;
   Front fronts_[2];
   std::vector<Index> met_;
+  double bound_;
   double best_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
 
-std::vector<std::vector<EdgePoint>> waysByWavefront(const TriangleMesh& mesh, Index from, Index to,
-                                                    const Progress& progress) {
-  Meeting meeting(mesh, from, to);
+WavefrontWays waysByWavefront(const TriangleMesh& mesh, Index from, Index to, double bound,
+                              const Progress& progress) {
+  Meeting meeting(mesh, from, to, bound * (1 + kSpread));
   if (!meeting.run(progress)) {
     return {};
   }
-  return meeting.ways();
+  return {meeting.ways(), meeting.elongated()};
 }
 
 }  // namespace graftsman
