@@ -7,8 +7,9 @@
 namespace graftsman {
 namespace {
 
-/// Unknowns up to which a factorisation is as fast as the iteration.
-constexpr std::size_t kDirect = 3000;
+/// Unknowns up to which a factorisation is as fast as the iteration: LDLᵀ, LU.
+constexpr std::size_t kDirectSymmetric = 3000;
+constexpr std::size_t kDirectUnsymmetric = 600;
 
 /// A converging iteration needs 10 to 30 steps; one that has not converged after so many will not.
 constexpr int kMostSteps = 150;
@@ -180,14 +181,15 @@ LaplaceSolver::Outcome LaplaceSolver::solve(double tolerance, const Progress& pr
   if (exact_) {
     return Outcome::Exhausted;
   }
-  if (system_.rhs.size() <= kDirect) {
+  const bool isSymmetric = system_.kind == MatrixKind::Symmetric;
+  if (system_.rhs.size() <= (isSymmetric ? kDirectSymmetric : kDirectUnsymmetric)) {
     return factorise(progress);
   }
   if (!iteration_) {
     iteration_ = std::make_unique<Iteration>(system_);
   }
   const double reachable = std::max(tolerance, kRounding);
-  if (system_.kind == MatrixKind::Symmetric) {
+  if (isSymmetric) {
     const Outcome outcome = iteration_->conjugateGradients(solution_, reachable, progress);
     return outcome == Outcome::Failed ? factorise(progress) : outcome;
   }
