@@ -21,6 +21,8 @@ struct AdjustmentSettings {
   bool rigid = true;      // STEP 1, and the rigid part of STEP 2
   bool scale = true;      // STEP 2
   bool lineField = true;  // STEP 3
+  bool exactFit =
+      true;  // beyond the paper, after the steps: the whole boundary onto the base's; see seam_fit.h
   double epsilon =
       1e-3;  // ε: mean CV distance at which to stop, as a fraction of the base loop's diameter; ≥ 0
   double falloff = 5;      // n of Eq. 8; > 0

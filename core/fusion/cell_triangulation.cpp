@@ -15,8 +15,8 @@ double badness(const Point& a, const Point& b, const Point& c) {
   const Point ab = b - a;
   const Point ac = c - a;
   const double lengths = ab.squaredNorm() + ac.squaredNorm() + (c - b).squaredNorm();
-  const double shape = lengths > 0 ? 12 * ab.cross(ac).squaredNorm() / (lengths * lengths) : 0;
-  return 1 / (shape + kWorstShape);
+  const double worst = lengths * lengths;
+  return worst > 0 ? worst / (12 * ab.cross(ac).squaredNorm() + kWorstShape * worst) : 1 / kWorstShape;
 }
 
 /// The corners' positions on both surfaces.

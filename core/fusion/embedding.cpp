@@ -133,7 +133,15 @@ tl::unexpected<Error> cancelled() {
 Result<Embedding> embed(std::span<const Point> points, std::span<const Face> faces, Index boundarySize,
                         std::span<const Index> corners, const EmbeddingSettings& settings,
                         const Progress& progress) {
-  assert(corners.size() >= 3 && corners[0] == 0 && corners.back() < boundarySize && !faces.empty());
+  assert(corners.size() >= 3 && corners[0] == 0 && corners.back() < boundarySize);
+  return embed(points, faces, layOutBoundary(points, boundarySize, corners),
+               static_cast<Index>(corners.size()), settings, progress);
+}
+
+Result<Embedding> embed(std::span<const Point> points, std::span<const Face> faces,
+                        std::vector<BoundaryPosition> boundaryPositions, Index sides,
+                        const EmbeddingSettings& settings, const Progress& progress) {
+  assert(!faces.empty());
   const auto bad = std::find_if(points.begin(), points.end(), [](const Point& p) { return !p.allFinite(); });
   if (bad != points.end()) {
     return fail(ErrorCode::EmbeddingFailed,
@@ -143,14 +151,14 @@ Result<Embedding> embed(std::span<const Point> points, std::span<const Face> fac
   if (!progress.keepGoing(0)) {
     return cancelled();
   }
-  EmbeddingTile tile = prepareTile(points, faces, boundarySize);
+  EmbeddingTile tile = prepareTile(points, faces, static_cast<Index>(boundaryPositions.size()));
   if (!progress.keepGoing(0.05)) {
     return cancelled();
   }
   const Stars stars = gatherStars(tile);
   Embedding embedding;
-  embedding.sides = static_cast<Index>(corners.size());
-  embedding.boundary = layOutBoundary(tile.points, boundarySize, corners);
+  embedding.sides = sides;
+  embedding.boundary = std::move(boundaryPositions);
   std::vector<Point2> boundary(embedding.boundary.size());
   for (std::size_t i = 0; i < boundary.size(); ++i) {
     boundary[i] = boundaryPoint(embedding.sides, embedding.boundary[i]);

@@ -48,11 +48,43 @@ class Router {
     int worst = -1;  // the path that went the longest way round for its length, if a long one
   };
 
-  RoutedLoop bestAttempt(bool keepOffBorder) {
+  // From the shortest to the longest. Off the border, those come last of which one in each chain from border
+  // CV to border CV closes that chain: the others never part the surface, and with all CVs then tied to the
+  // border by them, a closing one parts only what must be parted. So on a disk a way is found if there is
+  // one.
+  std::vector<int> settlingOrder(bool keepOffBorder) const {
     std::vector<int> order(direct_.size());
     std::iota(order.begin(), order.end(), 0);
     const auto length = [&](int i) { return direct_[static_cast<std::size_t>(i)]->length; };
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return length(a) < length(b); });
+    const std::vector<bool> closing = keepOffBorder ? closingPaths() : std::vector<bool>(order.size(), false);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+      const bool aLast = closing[static_cast<std::size_t>(a)];
+      const bool bLast = closing[static_cast<std::size_t>(b)];
+      return aLast != bLast ? bLast : length(a) < length(b);
+    });
+    return order;
+  }
+
+  // The longest path between each two consecutive border CVs.
+  std::vector<bool> closingPaths() const {
+    const std::size_t n = cvs_.size();
+    std::vector<bool> closing(n, false);
+    const auto onBorder = [&](std::size_t i) { return mesh_.onBorder(cvs_[i % n]); };
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!onBorder(i)) {
+        continue;
+      }
+      std::size_t longest = i;
+      for (std::size_t k = i + 1; !onBorder(k); ++k) {
+        longest = direct_[k % n]->length > direct_[longest]->length ? k % n : longest;
+      }
+      closing[longest] = true;
+    }
+    return closing;
+  }
+
+  RoutedLoop bestAttempt(bool keepOffBorder) {
+    std::vector<int> order = settlingOrder(keepOffBorder);
     std::vector<bool> promoted(order.size(), false);
     RoutedLoop best;
     RoutedLoop firstFailure;
@@ -98,7 +130,8 @@ class Router {
       obstacles.setEnds(from, to);
       if (const auto conflict = obstacles.conflict(path->points)) {
         path = pathAround(mesh_, obstacles, from, to, mode_, progress_);
-        if (!path) {
+        assert(!path || !obstacles.conflict(path->points));
+        if (!path || obstacles.conflict(path->points)) {
           attempt.loop = {{}, i, conflict->path, conflict->cv};
           return attempt;
         }

@@ -86,7 +86,7 @@ Result<CombinedTile> overlay(const EmbeddedTile& part, const EmbeddedTile& base,
   if (!progress.keepGoing(0.2)) {
     return cancelled();
   }
-  const Result<Trace> trace = traceBase(*layers, progress.span(0.2, 0.5));
+  Result<Trace> trace = traceBase(*layers, progress.span(0.2, 0.5));
   if (!trace) {
     return fail(trace.error());
   }

@@ -10,12 +10,18 @@ namespace {
 
 constexpr Index kProgressStride = 512;  // base faces between two looks at the clock
 
-/// A piece of an edge of either layer, directed: it starts at a crossing, or at the halfedge's start.
+/// A piece of an edge of either layer, directed.
 struct Piece {
-  Index halfedge;
-  Index crossing;  // −1: starts at the halfedge's start
+  Index start;  // the halfedge at whose start it starts, or −1 − the crossing at which it starts
   bool ofPart;
+  bool forward;  // if it starts at a crossing: along the crossing's halfedge of this layer, or against it
   friend bool operator==(const Piece&, const Piece&) = default;
+
+  static Piece atVertex(Index halfedge, bool ofPart) { return {halfedge, ofPart, true}; }
+  static Piece atCrossing(Index c, bool ofPart, bool forward) { return {-1 - c, ofPart, forward}; }
+  [[nodiscard]] bool startsAtCrossing() const { return start < 0; }
+  [[nodiscard]] Index crossing() const { return -1 - start; }
+  [[nodiscard]] Index halfedge() const { return start; }
 };
 
 /// Walks round the cells, interior on the left.
@@ -41,14 +47,16 @@ class CellWalker {
   /// The cells of one base face that have some of its edges. False: the layers do not fit.
   bool walkBaseFace(Index face) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      for (Piece piece{h, -1, false};;) {
-        if (!seen(piece) && !walkCell(piece)) {
+      Piece piece = Piece::atVertex(h, false);
+      for (;;) {
+        if (!seen(piece) && !walkCell(piece, face)) {
           return false;
         }
-        piece.crossing = endOf(piece);
-        if (piece.crossing < 0) {
+        const Index end = endOf(piece);
+        if (end < 0) {
           break;
         }
+        piece = Piece::atCrossing(end, false, continuesForward(piece, end));
       }
     }
     return true;
@@ -73,120 +81,132 @@ class CellWalker {
   [[nodiscard]] bool isComplete() const { return combined_.faces.size() == faceCount_; }
 
  private:
-  bool seen(const Piece& piece) const {
-    return piece.crossing < 0 ? seenHalfedges_[static_cast<std::size_t>(piece.halfedge)]
-                              : seenCrossings_[slot(piece)];
+  [[nodiscard]] const Crossing& at(Index c) const { return trace_.crossings[static_cast<std::size_t>(c)]; }
+
+  [[nodiscard]] static std::size_t slot(const Piece& piece) {
+    return 2 * static_cast<std::size_t>(piece.crossing()) + (piece.forward ? 1 : 0);
+  }
+
+  [[nodiscard]] bool seen(const Piece& piece) const {
+    return piece.startsAtCrossing() ? seenCrossings_[slot(piece)]
+                                    : seenHalfedges_[static_cast<std::size_t>(piece.halfedge())];
   }
 
   void setSeen(const Piece& piece) {
-    if (piece.crossing < 0) {
-      seenHalfedges_[static_cast<std::size_t>(piece.halfedge)] = true;
-    } else {
+    if (piece.startsAtCrossing()) {
       seenCrossings_[slot(piece)] = true;
+    } else {
+      seenHalfedges_[static_cast<std::size_t>(piece.halfedge())] = true;
     }
   }
 
-  [[nodiscard]] std::size_t slot(const Piece& piece) const {
-    const auto c = static_cast<std::size_t>(piece.crossing);
-    return 2 * c + (trace_.crossings[c].base == piece.halfedge ? 1 : 0);
-  }
-
-  // The crossing at which the piece ends, or −1 if it ends at the halfedge's end.
+  // The crossing at which the piece ends, or −1 if it ends at a vertex.
   [[nodiscard]] Index endOf(const Piece& piece) const {
-    if (piece.crossing < 0) {
-      return (piece.ofPart ? trace_.firstOnPart
-                           : trace_.firstOnBase)[static_cast<std::size_t>(piece.halfedge)];
+    if (!piece.startsAtCrossing()) {
+      const auto h = static_cast<std::size_t>(piece.halfedge());
+      return piece.ofPart ? trace_.firstOnPart[h] : trace_.firstOnBase[h];
     }
-    const auto count = static_cast<Index>(trace_.crossings.size());
-    const Crossing& crossing = trace_.crossings[static_cast<std::size_t>(piece.crossing)];
-    if (!piece.ofPart) {
-      const Index next = piece.crossing + (crossing.base == piece.halfedge ? 1 : -1);
-      return next >= 0 && next < count &&
-                     trace_.crossings[static_cast<std::size_t>(next)].base == crossing.base
-                 ? next
-                 : -1;
+    const Index c = piece.crossing();
+    if (piece.ofPart) {
+      return piece.forward ? at(c).partNext : at(c).partPrev;
     }
-    const Index twin = part_.twin(piece.halfedge);
-    const Index place =
-        trace_.partSlot[static_cast<std::size_t>(piece.crossing)] + (piece.halfedge < twin ? 1 : -1);
-    if (place < 0 || place >= count) {
-      return -1;
+    const Index next = piece.forward ? c + 1 : c - 1;
+    return next >= 0 && next < static_cast<Index>(trace_.crossings.size()) && at(next).base == at(c).base
+               ? next
+               : -1;
+  }
+
+  // Whether the walk along the piece comes to its end, a crossing, along this one's halfedge.
+  [[nodiscard]] bool continuesForward(const Piece& piece, Index end) const {
+    if (!piece.startsAtCrossing()) {
+      return (piece.ofPart ? at(end).part : at(end).base) == piece.halfedge();
     }
-    const Index next = trace_.partOrder[static_cast<std::size_t>(place)];
-    const Index h = trace_.crossings[static_cast<std::size_t>(next)].part;
-    return h == piece.halfedge || h == twin ? next : -1;
+    return !piece.ofPart || at(end).part == at(piece.crossing()).part ? piece.forward : !piece.forward;
+  }
+
+  // The halfedge that the piece lies on.
+  [[nodiscard]] Index halfedgeOf(const Piece& piece) const {
+    if (!piece.startsAtCrossing()) {
+      return piece.halfedge();
+    }
+    const Layer& layer = piece.ofPart ? part_ : base_;
+    const Index h = piece.ofPart ? at(piece.crossing()).part : at(piece.crossing()).base;
+    return piece.forward ? h : layer.twin(h);
   }
 
   // The next piece round the cell on the left of `piece`.
   [[nodiscard]] Piece following(const Piece& piece) const {
     const Index end = endOf(piece);
     if (end >= 0) {
-      // Turn left. The base's halfedge crosses the part's from left to right.
-      const Crossing& crossing = trace_.crossings[static_cast<std::size_t>(end)];
-      if (piece.ofPart) {
-        return {crossing.part == piece.halfedge ? base_.twin(crossing.base) : crossing.base, end, false};
-      }
-      return {crossing.base == piece.halfedge ? crossing.part : part_.twin(crossing.part), end, true};
+      // Turn left. The base's halfedge crosses the part's from left to right: left of the part's is against
+      // the base's, left of the base's along the part's.
+      return Piece::atCrossing(end, !piece.ofPart, piece.ofPart != continuesForward(piece, end));
     }
     const Layer& layer = piece.ofPart ? part_ : base_;
-    const Index vertex = layer.to(piece.halfedge);
-    if (vertex >= layer.seamSize()) {
-      return {Layer::next(piece.halfedge), -1, piece.ofPart};
-    }
-    return followingAtSeam(piece, vertex);
+    const Index h = halfedgeOf(piece);
+    const Index onwards = Layer::next(h);
+    const Index vertex = layer.from(onwards);
+    return vertex >= layer.seamSize() ? Piece::atVertex(onwards, piece.ofPart)
+                                      : followingAtSeam(h, piece.ofPart, vertex);
   }
 
   // The spoke clockwise of the one on which the walk comes; clockwise of the first is the boundary.
-  [[nodiscard]] Piece followingAtSeam(const Piece& piece, Index vertex) const {
+  [[nodiscard]] Piece followingAtSeam(Index h, bool ofPart, Index vertex) const {
     const SeamFans& fans = trace_.fans;
-    const Index twin = (piece.ofPart ? part_ : base_).twin(piece.halfedge);
-    const Index spoke =
-        twin < 0 ? fans.start[static_cast<std::size_t>(vertex) + 1]
-                 : (piece.ofPart ? fans.partSpoke : fans.baseSpoke)[static_cast<std::size_t>(twin)];
+    const Index twin = (ofPart ? part_ : base_).twin(h);
+    const Index spoke = twin < 0 ? fans.start[static_cast<std::size_t>(vertex) + 1]
+                                 : (ofPart ? fans.partSpoke : fans.baseSpoke)[static_cast<std::size_t>(twin)];
     if (spoke == fans.start[static_cast<std::size_t>(vertex)]) {
-      return {base_.boundaryHalfedges[static_cast<std::size_t>(vertex)], -1, false};
+      return Piece::atVertex(base_.boundaryHalfedges[static_cast<std::size_t>(vertex)], false);
     }
     const SeamFans::Spoke& previous = fans.spokes[static_cast<std::size_t>(spoke) - 1];
-    return {previous.halfedge, -1, previous.ofPart};
+    return Piece::atVertex(previous.halfedge, previous.ofPart);
   }
 
   [[nodiscard]] Index startVertex(const Piece& piece) const {
-    if (piece.crossing >= 0) {
-      return numbers_.ofCrossings[static_cast<std::size_t>(piece.crossing)];
+    if (piece.startsAtCrossing()) {
+      return at(piece.crossing()).vertex;
     }
-    return piece.ofPart ? numbers_.ofPart[static_cast<std::size_t>(part_.from(piece.halfedge))]
-                        : base_.from(piece.halfedge);
+    return piece.ofPart ? numbers_.ofPart[static_cast<std::size_t>(part_.from(piece.halfedge()))]
+                        : base_.from(piece.halfedge());
   }
 
-  bool walkCell(const Piece& start) {
+  // `start`: a piece of an edge of baseFace.
+  bool walkCell(const Piece& start, Index baseFace) {
     corners_.clear();
     Index partFace = -1;
     Piece piece = start;
     do {
-      corners_.push_back(startVertex(piece));
-      if (corners_.size() > kMostCorners) {
+      if (corners_.size() == kMostCorners) {
         return false;
       }
-      if (piece.ofPart) {
-        partFace = piece.halfedge / 3;
-      } else {
+      corners_.push_back(startVertex(piece));
+      if (!piece.ofPart) {
         setSeen(piece);
-        if (base_.twin(piece.halfedge) < 0) {
-          const Index vertex = base_.from(piece.halfedge);
-          partFace = part_.boundaryHalfedges[static_cast<std::size_t>(vertex)] / 3;
-        }
+      }
+      if (partFace < 0) {
+        partFace = partFaceBeside(piece);
       }
       piece = following(piece);
     } while (piece != start);
-    const Index baseFace = start.halfedge / 3;
-    if (partFace < 0) {
-      for (const Index v : base_.faces[static_cast<std::size_t>(baseFace)]) {
-        partFace = std::max(partFace, trace_.baseInPart[static_cast<std::size_t>(v)]);
-      }
+    for (std::size_t k = 0; partFace < 0 && k < 3; ++k) {  // the whole base face, within a face of the part
+      const Index v = base_.faces[static_cast<std::size_t>(baseFace)][k];
+      partFace = trace_.baseInPart[static_cast<std::size_t>(v)];
     }
     seenPartFaces_[static_cast<std::size_t>(partFace)] = true;
     addCell(partFace, baseFace);
     return true;
+  }
+
+  // The part's face on the left of the piece, if the piece itself tells.
+  [[nodiscard]] Index partFaceBeside(const Piece& piece) const {
+    if (piece.ofPart) {
+      return halfedgeOf(piece) / 3;
+    }
+    if (!piece.startsAtCrossing() && base_.twin(piece.halfedge()) < 0) {
+      return part_.boundaryHalfedges[static_cast<std::size_t>(base_.from(piece.halfedge()))] / 3;
+    }
+    return -1;
   }
 
   // Adds the cell whose corners are in corners_, neighbours of which may be one vertex.

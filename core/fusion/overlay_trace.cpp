@@ -128,7 +128,7 @@ class Tracer {
       }
       const Index partVertex = rightOnLine_ ? part_.from(exit) : (leftOnLine_ ? part_.to(exit) : -1);
       trace_.crossings.push_back(
-          {exit, halfedge_, partVertex >= 0 ? partVertex - seam_ + base_.vertexCount() : at});
+          {exit, halfedge_, -1, -1, partVertex >= 0 ? partVertex - seam_ + base_.vertexCount() : at});
       const Index face = enter / 3;
       const Index apex = part_.from(Layer::prev(enter));
       if (apex == to_ && to_ < seam_) {

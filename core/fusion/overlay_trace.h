@@ -8,13 +8,16 @@
 
 namespace graftsman::overlay_detail {
 
-/// An interior edge of the base crosses one of the part.
+/// An interior edge of the base crosses one of the part. One record, as a walk round a cell needs all of it.
 struct Crossing {
-  Index part;  // the part's halfedge that is crossed from its left to its right …
-  Index base;  // … by this halfedge of the base
-  /// −1, or the vertex exactly at which the edges meet without the shift: vertex v of the base's layer is v,
-  /// interior vertex w of the part's layer is w − seam size + vertices of the base's layer.
-  Index atVertex = -1;
+  Index part;           // the part's halfedge that is crossed from its left to its right …
+  Index base;           // … by this halfedge of the base
+  Index partNext = -1;  // the next crossing along `part`, or −1
+  Index partPrev = -1;  // the one before
+  /// From traceBase(): −1, or the vertex exactly at which the edges meet without the shift, where vertex v of
+  /// the base's layer is v and interior vertex w of the part's is w − seam size + vertices of the base's
+  /// layer. From numberVertices() on: the combined vertex.
+  Index vertex = -1;
 };
 
 /// How the two layers lie over each other, if the base's interior vertices are shifted by (ε, ε²): then no

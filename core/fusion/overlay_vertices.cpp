@@ -61,7 +61,7 @@ void noteOnEdge(Place& place, Index halfedge) {
 
 }  // namespace
 
-VertexNumbers numberVertices(const Layers& layers, const Trace& trace) {
+VertexNumbers numberVertices(const Layers& layers, Trace& trace) {
   const Layer& part = layers.part;
   const Layer& base = layers.base;
   const Index seam = base.seamSize();
@@ -84,17 +84,15 @@ VertexNumbers numberVertices(const Layers& layers, const Trace& trace) {
     }
   }
   numbers.firstCrossing = numbers.count;
-  numbers.ofCrossings.reserve(trace.crossings.size());
-  for (const Crossing& crossing : trace.crossings) {
-    if (crossing.atVertex < 0) {
-      numbers.ofCrossings.push_back(numbers.count++);
-    } else if (crossing.atVertex < base.vertexCount()) {
-      noteOnEdge(numbers.baseOnPart[static_cast<std::size_t>(crossing.atVertex)], crossing.part);
-      numbers.ofCrossings.push_back(crossing.atVertex);
+  for (Crossing& crossing : trace.crossings) {
+    if (crossing.vertex < 0) {
+      crossing.vertex = numbers.count++;
+    } else if (crossing.vertex < base.vertexCount()) {
+      noteOnEdge(numbers.baseOnPart[static_cast<std::size_t>(crossing.vertex)], crossing.part);
     } else {
-      const auto w = static_cast<std::size_t>(crossing.atVertex - base.vertexCount() + seam);
+      const auto w = static_cast<std::size_t>(crossing.vertex - base.vertexCount() + seam);
       noteOnEdge(numbers.partOnBase[w], crossing.base);
-      numbers.ofCrossings.push_back(numbers.ofPart[w]);
+      crossing.vertex = numbers.ofPart[w];
     }
   }
   return numbers;
@@ -149,7 +147,7 @@ class VertexWriter {
     orderFractions();
     parallelRanges(crossings.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
-        if (crossings[c].atVertex < 0) {
+        if (crossings[c].vertex >= numbers_.firstCrossing) {
           writeCrossing(c);
         }
       }
@@ -177,7 +175,7 @@ class VertexWriter {
     const Fractions& fractions = fractions_[c];
     const Point2& a = layers_.base.at(layers_.base.from(crossing.base));
     const Point2& b = layers_.base.at(layers_.base.to(crossing.base));
-    write(static_cast<std::size_t>(numbers_.ofCrossings[c]), a + fractions.onBase * (b - a),
+    write(static_cast<std::size_t>(crossing.vertex), a + fractions.onBase * (b - a),
           partLocations_.onEdge(crossing.part, fractions.onPart),
           baseLocations_.onEdge(crossing.base, fractions.onBase));
   }
@@ -190,19 +188,28 @@ class VertexWriter {
         fractions_[c].onBase = std::max(fractions_[c].onBase, fractions_[c - 1].onBase);
       }
     }
-    for (std::size_t i = 1; i < trace_.partOrder.size(); ++i) {
-      const auto c = static_cast<std::size_t>(trace_.partOrder[i]);
-      const auto d = static_cast<std::size_t>(trace_.partOrder[i - 1]);
-      const Index h = crossings[c].part;
-      const Index twin = layers_.part.twin(h);
-      const Index other = crossings[d].part;
-      if (other != h && other != twin) {
-        continue;
+    for (std::size_t c = 0; c < crossings.size(); ++c) {
+      const Index next = crossings[c].partNext;
+      if (next >= 0 && fractionAlong(next, crossings[c].part) < fractions_[c].onPart) {
+        orderPartEdge(crossings[c].part);
       }
-      const bool alongSmaller = h < twin;
-      const double before = (other == h) ? fractions_[d].onPart : 1 - fractions_[d].onPart;
-      double& t = fractions_[c].onPart;
-      t = alongSmaller ? std::max(t, before) : std::min(t, before);
+    }
+  }
+
+  // The fraction of the part's halfedge h at which crossing c lies.
+  [[nodiscard]] double fractionAlong(Index c, Index h) const {
+    const double t = fractions_[static_cast<std::size_t>(c)].onPart;
+    return trace_.crossings[static_cast<std::size_t>(c)].part == h ? t : 1 - t;
+  }
+
+  void orderPartEdge(Index h) {
+    double reached = 0;
+    for (Index c = trace_.firstOnPart[static_cast<std::size_t>(h)]; c >= 0;) {
+      const Crossing& crossing = trace_.crossings[static_cast<std::size_t>(c)];
+      const bool along = crossing.part == h;
+      reached = std::max(reached, fractionAlong(c, h));
+      fractions_[static_cast<std::size_t>(c)].onPart = along ? reached : 1 - reached;
+      c = along ? crossing.partNext : crossing.partPrev;
     }
   }
 

@@ -17,15 +17,15 @@ struct Place {
 /// shift: vertices and crossings at one position are one vertex. Exact: the shift's combinatorics say where
 /// to look, equal coordinates and exact zeros decide.
 struct VertexNumbers {
-  std::vector<Index> ofPart;       // of each vertex of the part's layer, the combined vertex
-  std::vector<Index> ofCrossings;  // of each crossing
-  std::vector<Place> baseOnPart;   // of each vertex of the base's layer; unused for the seam's
-  std::vector<Place> partOnBase;   // likewise
+  std::vector<Index> ofPart;      // of each vertex of the part's layer, the combined vertex
+  std::vector<Place> baseOnPart;  // of each vertex of the base's layer; unused for the seam's
+  std::vector<Place> partOnBase;  // likewise
   Index count = 0;
   Index firstCrossing = 0;  // the first combined vertex that is a crossing
 };
 
-[[nodiscard]] VertexNumbers numberVertices(const Layers& layers, const Trace& trace);
+/// Also puts the combined vertex into each crossing.
+[[nodiscard]] VertexNumbers numberVertices(const Layers& layers, Trace& trace);
 
 /// Fills everything of `combined` that concerns vertices, s apart.
 void placeVertices(const EmbeddedTile& part, const EmbeddedTile& base, const Layers& layers,

@@ -97,6 +97,16 @@ class ChainSorter {
   std::vector<Index> ordered_;
 };
 
+// `chain`: crossings of the part's halfedge h in order along it.
+void link(std::vector<Crossing>& crossings, std::span<const Index> chain, Index h) {
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    Crossing& before = crossings[static_cast<std::size_t>(chain[i - 1])];
+    Crossing& after = crossings[static_cast<std::size_t>(chain[i])];
+    (before.part == h ? before.partNext : before.partPrev) = chain[i];
+    (after.part == h ? after.partPrev : after.partNext) = chain[i - 1];
+  }
+}
+
 }  // namespace
 
 bool chainAlongPart(const Layers& layers, Trace& trace) {
@@ -112,27 +122,25 @@ bool chainAlongPart(const Layers& layers, Trace& trace) {
   for (std::size_t i = 2; i < start.size(); ++i) {
     start[i] += start[i - 1];
   }
-  trace.partOrder.resize(trace.crossings.size());
+  std::vector<Index> grouped(trace.crossings.size());
   for (std::size_t c = 0; c < trace.crossings.size(); ++c) {
-    trace.partOrder[static_cast<std::size_t>(start[edge(trace.crossings[c]) + 1]++)] = static_cast<Index>(c);
+    grouped[static_cast<std::size_t>(start[edge(trace.crossings[c]) + 1]++)] = static_cast<Index>(c);
   }
   ChainSorter sorter(layers, trace.crossings);
-  trace.partSlot.resize(trace.crossings.size());
   trace.firstOnPart.assign(halfedges, -1);
-  for (std::size_t h = 0; h < halfedges; ++h) {
-    const auto begin = static_cast<std::size_t>(start[h]);
-    const auto end = static_cast<std::size_t>(start[h + 1]);
-    if (begin == end) {
+  for (std::size_t i = 0; i < halfedges; ++i) {
+    const auto h = static_cast<Index>(i);
+    const auto chain = std::span(grouped).subspan(static_cast<std::size_t>(start[i]),
+                                                  static_cast<std::size_t>(start[i + 1] - start[i]));
+    if (chain.empty()) {
       continue;
     }
-    if (!sorter.sort(std::span(trace.partOrder).subspan(begin, end - begin), static_cast<Index>(h))) {
+    if (!sorter.sort(chain, h)) {
       return false;
     }
-    for (std::size_t i = begin; i < end; ++i) {
-      trace.partSlot[static_cast<std::size_t>(trace.partOrder[i])] = static_cast<Index>(i);
-    }
-    trace.firstOnPart[h] = trace.partOrder[begin];
-    trace.firstOnPart[static_cast<std::size_t>(part.twin(static_cast<Index>(h)))] = trace.partOrder[end - 1];
+    link(trace.crossings, chain, h);
+    trace.firstOnPart[i] = chain.front();
+    trace.firstOnPart[static_cast<std::size_t>(part.twin(h))] = chain.back();
   }
   return true;
 }

@@ -4,7 +4,7 @@
 
 namespace graftsman::overlay_detail {
 
-/// Fills firstOnPart, partOrder and partSlot: orders the crossings of each part edge. No position is
+/// Fills firstOnPart and links the crossings of each part edge in their order. No position is
 /// compared: the part edge is in one base face before a crossing and in another after it, and in no base face
 /// twice. False: they make no chain (the layers are not triangulations of one simple polygon).
 [[nodiscard]] bool chainAlongPart(const Layers& layers, Trace& trace);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/base/predicates.h"
 
@@ -37,29 +36,32 @@ struct Positions {
 struct BoundaryStars {
   std::vector<Index> start;
   std::vector<Index> faces;
+};
 
-  explicit BoundaryStars(const Embedding& embedding) : start(embedding.boundary.size() + 2, 0) {
-    const auto count = static_cast<Index>(embedding.boundary.size());
-    for (const Face& face : embedding.faces) {
-      for (const Index v : face) {
-        if (v < count) {
-          ++start[static_cast<std::size_t>(v) + 2];
-        }
-      }
-    }
-    for (std::size_t i = 2; i < start.size(); ++i) {
-      start[i] += start[i - 1];
-    }
-    faces.resize(static_cast<std::size_t>(start.back()));
-    for (std::size_t f = 0; f < embedding.faces.size(); ++f) {
-      for (const Index v : embedding.faces[f]) {
-        if (v < count) {
-          faces[static_cast<std::size_t>(start[static_cast<std::size_t>(v) + 1]++)] = static_cast<Index>(f);
-        }
+BoundaryStars starsOf(const Embedding& embedding) {
+  std::vector<Index> start(embedding.boundary.size() + 2, 0);
+  std::vector<Index> faces;
+  const auto count = static_cast<Index>(embedding.boundary.size());
+  for (const Face& face : embedding.faces) {
+    for (const Index v : face) {
+      if (v < count) {
+        ++start[static_cast<std::size_t>(v) + 2];
       }
     }
   }
-};
+  for (std::size_t i = 2; i < start.size(); ++i) {
+    start[i] += start[i - 1];
+  }
+  faces.resize(static_cast<std::size_t>(start.back()));
+  for (std::size_t f = 0; f < embedding.faces.size(); ++f) {
+    for (const Index v : embedding.faces[f]) {
+      if (v < count) {
+        faces[static_cast<std::size_t>(start[static_cast<std::size_t>(v) + 1]++)] = static_cast<Index>(f);
+      }
+    }
+  }
+  return {std::move(start), std::move(faces)};
+}
 
 /// Moves part boundary vertices one by one; each move keeps all triangles counter-clockwise.
 class Snapping {
@@ -67,15 +69,15 @@ class Snapping {
   Snapping(const Embedding& part, std::vector<BoundaryPosition>& moved) : part_(part), moved_(moved) {}
 
   void move(Index i, double t) {
-    if (!stars_) {
-      stars_.emplace(part_);
+    if (stars_.start.empty()) {
+      stars_ = starsOf(part_);
     }
     BoundaryPosition& position = moved_[static_cast<std::size_t>(i)];
     const BoundaryPosition old = position;
     position.t = t;
-    for (auto k = stars_->start[static_cast<std::size_t>(i)];
-         k < stars_->start[static_cast<std::size_t>(i) + 1]; ++k) {
-      const Face& face = part_.faces[static_cast<std::size_t>(stars_->faces[static_cast<std::size_t>(k)])];
+    for (auto k = stars_.start[static_cast<std::size_t>(i)];
+         k < stars_.start[static_cast<std::size_t>(i) + 1]; ++k) {
+      const Face& face = part_.faces[static_cast<std::size_t>(stars_.faces[static_cast<std::size_t>(k)])];
       if (orient2d(uv(face[0]), uv(face[1]), uv(face[2])) <= 0) {
         position = old;
         return;
@@ -91,7 +93,7 @@ class Snapping {
 
   const Embedding& part_;
   std::vector<BoundaryPosition>& moved_;
-  std::optional<BoundaryStars> stars_;  // made for the first move: often there is none
+  BoundaryStars stars_;  // made for the first move: often there is none
 };
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "core/fusion/zeroed_array.h"
 
 namespace graftsman {
-std::vector<double> waysEstimates;
 namespace {
 
 // A candidate's estimated length may exceed the least by this part: more than the error of the wavefront
@@ -69,14 +68,24 @@ class Front {
   Index settle() {
     const Index v = heap_.pop().value;
     nodes_[v].state = 2;
-    const Index first = mesh_.outgoing(v);
-    for (Index h = first; h >= 0;) {
-      const Index last = TriangleMesh::prev(h);
-      spread(v, h, last);
-      h = mesh_.twin(last);
-      if (h == first) {
-        break;
+    gatherSpokes(v);
+    for (std::size_t k = 0; k < spokes_.size(); ++k) {
+      const Spoke& target = spokes_[k];
+      const Node& node = nodes_[target.vertex];
+      if (mesh_.singular(target.vertex)) {
+        continue;
       }
+      const bool behind = node.state != 0 && node.distance <= nodes_[v].distance;
+      Update best{behind ? node.distance : nodes_[v].distance + std::sqrt(target.squaredLength), v};
+      const Spoke* after = k + 1 < spokes_.size() ? &spokes_[k + 1] : closed_ ? &spokes_.front() : nullptr;
+      const Spoke* before = k > 0 ? &spokes_[k - 1] : closed_ ? &spokes_.back() : nullptr;
+      if (after && nodes_[after->vertex].state == 2) {
+        through(v, *after, target, TriangleMesh::prev(target.h), best);
+      }
+      if (before && nodes_[before->vertex].state == 2) {
+        through(v, *before, target, before->h, best);
+      }
+      lower(target.vertex, best);
     }
     return v;
   }
@@ -104,57 +113,60 @@ class Front {
     return node.state == 2 || node.distance != entry.key;
   }
 
-  void lower(Index v, double distance, Index via) {
-    Node& node = nodes_[v];
-    if (node.state != 0 && !(distance < node.distance * (1 - kSmallestCorrection))) {
-      return;
-    }
-    node = {distance, via, 1};
-    heap_.push(distance, v);
-  }
+  struct Spoke {
+    Index h;  // from the fan's centre to `vertex`, or back if the last of an open fan
+    Index vertex;
+    Point vector;
+    double squaredLength;
+  };
+  struct Update {
+    double distance;
+    Index via;
+  };
 
-  // From the settled v into the face between its halfedges h (outgoing) and last (incoming), and past the
-  // opposite edge's ends.
-  void spread(Index v, Index h, Index last) {
-    const Index a = mesh_.to(h);
-    const Index b = mesh_.from(last);
-    const double dv = nodes_[v].distance;
+  void gatherSpokes(Index v) {
+    spokes_.clear();
     const Point& origin = mesh_.point(v);
-    const Point va = mesh_.point(a) - origin;
-    const Point vb = mesh_.point(b) - origin;
-    if (!mesh_.singular(a)) {
-      lower(a, dv + va.norm(), v);
-    }
-    if (mesh_.singular(b)) {
-      return;
-    }
-    if (mesh_.twin(last) < 0) {
-      lower(b, dv + vb.norm(), v);
-    }
-    if (nodes_[a].state == 2) {
-      through(v, a, b, va, vb, h);
-    }
-    if (nodes_[b].state == 2 && !mesh_.singular(a)) {
-      through(v, b, a, vb, va, last);
-    }
+    const auto add = [&](Index h, Index w) {
+      const Point vector = mesh_.point(w) - origin;
+      spokes_.push_back({h, w, vector, vector.squaredNorm()});
+    };
+    const Index first = mesh_.outgoing(v);
+    Index h = first;
+    do {
+      add(h, mesh_.to(h));
+      const Index last = TriangleMesh::prev(h);
+      h = mesh_.twin(last);
+      if (h < 0) {
+        add(last, mesh_.from(last));
+      }
+    } while (h >= 0 && h != first);
+    closed_ = h == first;
   }
 
-  // Updates c from the settled a and b, ends of the edge of h: their distances put the source in the plane of
-  // the triangle, on the other side of a–b; ab and ac are vectors from a.
-  void through(Index a, Index b, Index c, const Point& ab, const Point& ac, Index h) {
-    const Node& target = nodes_[c];
-    const double nearest = std::min(nodes_[a].distance, nodes_[b].distance);
-    if (target.state != 0 && target.distance <= nearest) {
+  void lower(Index v, const Update& update) {
+    Node& node = nodes_[v];
+    if (node.state != 0 && !(update.distance < node.distance * (1 - kSmallestCorrection))) {
       return;
     }
-    // A front reaches a corner late through the opposite edge only if the corner is obtuse.
-    if (target.state == 2 && ac.dot(ac - ab) >= 0) {
+    node = {update.distance, update.via, 1};
+    heap_.push(update.distance, v);
+  }
+
+  // The distance of c by the ray through the edge from a to b, settled both, of the halfedge h opposite c:
+  // their distances put the source in the plane of the triangle, on the other side of the edge.
+  void through(Index a, const Spoke& b, const Spoke& c, Index h, Update& best) const {
+    // A front reaches a settled corner late through the opposite edge only if the corner is obtuse.
+    const double along = b.vector.dot(c.vector);
+    if (nodes_[c.vertex].state == 2 && c.squaredLength >= along) {
       return;
     }
-    const double base = ab.norm();
-    const Unfolded s = unfoldSource(base, nodes_[a].distance, nodes_[b].distance);
-    const double cx = ab.dot(ac) / base;
-    const double cy2 = ac.squaredNorm() - cx * cx;
+    const double base = std::sqrt(b.squaredLength);
+    const double da = nodes_[a].distance;
+    const double db = nodes_[b.vertex].distance;
+    const Unfolded s = unfoldSource(base, da, db);
+    const double cx = along / base;
+    const double cy2 = c.squaredLength - cx * cx;
     if (!(base > 0) || !s.valid || !(cy2 > 0)) {
       return;
     }
@@ -165,8 +177,8 @@ class Front {
     }
     const double distance = std::sqrt((cx - s.sx) * (cx - s.sx) + (cy + s.sy) * (cy + s.sy));
     // Always from a nearer vertex, so that chains of nearerVertex() end, even where distances fall later.
-    if (distance > nearest) {
-      lower(c, distance, ~h);
+    if (distance < best.distance && distance > std::min(da, db)) {
+      best = {distance, ~h};
     }
   }
 
@@ -220,7 +232,6 @@ class Front {
       }
       const double side = (s.sx - x) * dy - s.sy * (dx - x);  // above 0: the ray passes d on b's side
       h = side > 0 ? TriangleMesh::prev(twin) : TriangleMesh::next(twin);
-      (void)side;
       origin = position(mesh_, way.back());
     }
   }
@@ -228,6 +239,8 @@ class Front {
   const TriangleMesh& mesh_;
   ZeroedArray<Node> nodes_;
   MinHeap heap_;
+  std::vector<Spoke> spokes_;  // of the vertex just settled
+  bool closed_ = false;        // whether they go all the way round
 };
 
 class Meeting {
@@ -277,8 +290,6 @@ class Meeting {
     std::stable_sort(places.begin(), places.end(), [&](Index a, Index b) { return sum(a) < sum(b); });
     places.resize(std::min(places.size(), kMostWays));
     std::vector<std::vector<EdgePoint>> result;
-    waysEstimates.clear();
-    for (Index v : places) waysEstimates.push_back(sum(v));
     for (const Index v : places) {
       std::vector<EdgePoint> way = fronts_[0].wayFrom(v);
       std::reverse(way.begin(), way.end());

@@ -1,6 +1,7 @@
 #include "core/fusion/blend.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -120,6 +121,21 @@ class BlendTest : public QObject {
     QVERIFY(sameBits(out[2], tile.base[2]));
     for (const std::size_t i : {1U, 3U, 5U}) {
       QVERIFY(sameBits(out[i], untouched));
+    }
+  }
+
+  void whereTheVerticesGoDoesNotChangeTheirBits() {
+    const std::size_t count = 3000;
+    const CombinedTile tile = randomTile(count);
+    const FCF f = FCF::preset(FCF::Preset::Paste);
+    std::vector<Point> inOrder(count);
+    blend(tile, f, identity(count), inOrder);
+    std::vector<Index> target = identity(count);
+    std::shuffle(target.begin() + 600, target.end(), std::mt19937(9));
+    std::vector<Point> out(count);
+    blend(tile, f, target, out);
+    for (std::size_t i = 0; i < count; ++i) {
+      QVERIFY(sameBits(out[static_cast<std::size_t>(target[i])], inOrder[i]));
     }
   }
 
