@@ -74,7 +74,7 @@ std::vector<Index> roundLoop(const TriangleMesh& mesh, int n, Random& random) {
   std::vector<bool> seen(mesh.points().size(), false);
   std::vector<Index> ring = {centre};
   seen[static_cast<std::size_t>(centre)] = true;
-  for (int i = 0; i < rings; ++i) {
+  for (int i = 0; i < rings || static_cast<int>(ring.size()) < 2 * n; ++i) {  // twice: no CV repeats
     std::vector<Index> next;
     for (const Index v : ring) {
       const Index first = mesh.outgoing(v);
@@ -91,8 +91,8 @@ std::vector<Index> roundLoop(const TriangleMesh& mesh, int n, Random& random) {
         }
       }
     }
-    if (static_cast<int>(next.size()) < n) {
-      break;
+    if (next.empty()) {
+      break;  // the whole component is reached
     }
     ring = next;
   }
