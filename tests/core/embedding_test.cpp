@@ -345,7 +345,7 @@ class EmbeddingTest : public QObject {
       const auto radiusAt = [&](int tenths) { return ringRadius(*e, rows * tenths / 10 * 20, 20); };
       QVERIFY2(radiusAt(5) > 0.05, QByteArray::number(radiusAt(5)).constData());
       QVERIFY2(radiusAt(9) > 1.0 / 300, QByteArray::number(radiusAt(9)).constData());
-      QVERIFY2(e->smallestAreaRatio > 1e-4, QByteArray::number(e->smallestAreaRatio).constData());
+      QVERIFY2(e->smallestAreaRatio > 1e-5, QByteArray::number(e->smallestAreaRatio).constData());
     }
   }
 
