@@ -23,6 +23,11 @@ using PathPtr = std::shared_ptr<const Path>;
 
 // The share of the work that the direct paths are; the rest is leading them round each other.
 constexpr double kDirectShare = 0.7;
+// The bound need not be straightened further once a round gains less than this part.
+constexpr double kRoughRounds = 2e-3;
+// What is longer than the best by no more than this part may still become shorter when straightened to the
+// end.
+constexpr double kHopeful = 0.01;
 // So coarse a mesh shapes the wavefront with its few triangles; the exact search is as good as free there.
 constexpr Index kFewVertices = 1500;
 // The exact search gives up after so many windows: about a second. A search that finds its goal needs fewer
@@ -82,10 +87,14 @@ PathPtr straightenedPath(const TriangleMesh& mesh, PathObstacles& obstacles, Ind
   if (quick.empty()) {
     return pathAround(mesh, obstacles, from, to, PathMode::Straightened, progress);
   }
-  best.offer(quick);
-  const auto found = waysByWavefront(mesh, from, to, best.length(), progress.span(0.2, 0.7));
+  const auto rough = straightened(mesh, obstacles, withoutDetours(obstacles, quick), kRoughRounds);
+  const double bound = polylineLength(mesh, rough);
+  const auto found = waysByWavefront(mesh, from, to, bound, progress.span(0.2, 0.7));
   for (const auto& way : found.ways) {
     best.offer(way);
+  }
+  if (bound < best.length() * (1 + kHopeful)) {
+    best.offer(rough);
   }
   if (found.elongated || mesh.vertexCount() <= kFewVertices) {
     const std::size_t budget = std::clamp(kWindowsPerVertex * static_cast<std::size_t>(mesh.vertexCount()),

@@ -77,23 +77,25 @@ class Front {
     nodes_[v].state = 2;
     gatherSpokes(v);
     countElongated();
-    for (std::size_t k = 0; k < spokes_.size(); ++k) {
+    const double distance = nodes_[v].distance;
+    const std::size_t size = spokes_.size();
+    for (std::size_t k = 0; k < size; ++k) {
       const Spoke& target = spokes_[k];
-      const Node& node = nodes_[target.vertex];
-      if (mesh_.singular(target.vertex)) {
-        continue;
-      }
-      const bool behind = node.state != 0 && node.distance <= nodes_[v].distance;
-      Update best{behind ? node.distance : nodes_[v].distance + std::sqrt(target.squaredLength), v};
-      const Spoke* after = k + 1 < spokes_.size() ? &spokes_[k + 1] : closed_ ? &spokes_.front() : nullptr;
+      const Spoke* after = k + 1 < size ? &spokes_[k + 1] : closed_ ? &spokes_.front() : nullptr;
       const Spoke* before = k > 0 ? &spokes_[k - 1] : closed_ ? &spokes_.back() : nullptr;
-      if (after && nodes_[after->vertex].state == 2) {
-        through(v, *after, target, TriangleMesh::prev(target.h), best);
+      Update best{target.node.distance, v};
+      if (target.node.state == 0 || distance < best.distance) {
+        best.distance = distance + std::sqrt(target.squaredLength);
       }
-      if (before && nodes_[before->vertex].state == 2) {
-        through(v, *before, target, before->h, best);
+      if (after && mayCross(*after, target)) {
+        through(distance, *after, target, TriangleMesh::prev(target.h), best);
       }
-      lower(target.vertex, best);
+      if (before && mayCross(*before, target)) {
+        through(distance, *before, target, before->h, best);
+      }
+      if (target.node.state == 0 || best.distance < target.node.distance) {
+        lower(target.vertex, best);
+      }
     }
     return v;
   }
@@ -127,6 +129,7 @@ class Front {
   struct Spoke {
     Index h;  // from the fan's centre to `vertex`, or back if the last of an open fan
     Index vertex;
+    Node node;
     Point vector;
     double squaredLength;
   };
@@ -151,7 +154,7 @@ class Front {
     const Point& origin = mesh_.point(v);
     const auto add = [&](Index h, Index w) {
       const Point vector = mesh_.point(w) - origin;
-      spokes_.push_back({h, w, vector, vector.squaredNorm()});
+      spokes_.push_back({h, w, nodes_[w], vector, vector.squaredNorm()});
     };
     const Index first = mesh_.outgoing(v);
     Index h = first;
@@ -168,6 +171,9 @@ class Front {
 
   void lower(Index v, const Update& update) {
     Node& node = nodes_[v];
+    if (mesh_.singular(v)) {
+      return;
+    }
     if (node.state != 0 && !(update.distance < node.distance * (1 - kSmallestCorrection))) {
       return;
     }
@@ -178,17 +184,19 @@ class Front {
     heap_.push(update.distance, v);
   }
 
-  // The distance of c by the ray through the edge from a to b, settled both, of the halfedge h opposite c:
-  // their distances put the source in the plane of the triangle, on the other side of the edge.
-  void through(Index a, const Spoke& b, const Spoke& c, Index h, Update& best) const {
-    // A front reaches a settled corner late through the opposite edge only if the corner is obtuse.
+  // Whether the ray to c may come through the edge to b: a front reaches a settled corner late through the
+  // opposite edge only if the corner is obtuse.
+  static bool mayCross(const Spoke& b, const Spoke& c) {
+    return b.node.state == 2 && (c.node.state != 2 || c.squaredLength < b.vector.dot(c.vector));
+  }
+
+  // The distance of c by the ray through the edge from a, the vertex just settled, to b, settled, too; h is
+  // its halfedge opposite c: their distances put the source in the plane of the triangle, on the edge's other
+  // side.
+  static void through(double da, const Spoke& b, const Spoke& c, Index h, Update& best) {
     const double along = b.vector.dot(c.vector);
-    if (nodes_[c.vertex].state == 2 && c.squaredLength >= along) {
-      return;
-    }
     const double base = std::sqrt(b.squaredLength);
-    const double da = nodes_[a].distance;
-    const double db = nodes_[b.vertex].distance;
+    const double db = b.node.distance;
     const Unfolded s = unfoldSource(base, da, db);
     const double cx = along / base;
     const double cy2 = c.squaredLength - cx * cx;
