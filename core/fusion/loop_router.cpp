@@ -36,7 +36,7 @@ class Router {
   RoutedLoop run() {
     RoutedLoop result = bestAttempt(false);
     if (result.paths.empty() && !progress_.cancelled()) {
-      const RoutedLoop offBorder = bestAttempt(true);
+      RoutedLoop offBorder = bestAttempt(true);
       if (!offBorder.paths.empty()) {
         return offBorder;
       }

@@ -28,8 +28,7 @@ struct Piece {
 class CellWalker {
  public:
   CellWalker(const Layers& layers, const Trace& trace, const VertexNumbers& numbers, CombinedTile& combined)
-      : layers_(layers),
-        part_(layers.part),
+      : part_(layers.part),
         base_(layers.base),
         trace_(trace),
         numbers_(numbers),
@@ -229,7 +228,6 @@ class CellWalker {
     combined_.baseFaces.resize(combined_.faces.size(), base_.origins[static_cast<std::size_t>(baseFace)]);
   }
 
-  const Layers& layers_;
   const Layer& part_;
   const Layer& base_;
   const Trace& trace_;
