@@ -118,7 +118,7 @@ Result<FileBytes> readFile(const std::filesystem::path& path, const Progress& pr
     }
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::OutOfMemory, printable(path) + ": not enough memory to read the file (" +
-                                            std::to_string(status.st_size) + " bytes).");
+                                            std::to_string(status.st_size) + " bytes)");
   }
 }
 

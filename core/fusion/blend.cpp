@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "core/base/parallel.h"
+#include "core/base/vector_clones.h"
 
 namespace graftsman {
 namespace {
@@ -16,24 +17,54 @@ constexpr std::size_t kGrain = 1 << 16;
 // Weights at a time: they stay in the nearest cache.
 constexpr std::size_t kBlock = 512;
 
+// Eq. 1. Not by the formula where f is 0 or 1: 0 · v¹ + v² turns −0 into 0.
+GRAFTSMAN_INLINE double mix(double f, double part, double base) {
+  const double mixed = f * part + (1 - f) * base;
+  const double notPart = f == 0 ? base : mixed;
+  return f == 1 ? part : notPart;
+}
+
+// Whether the vertices go to consecutive places.
+bool isRun(std::span<const Index> target) {
+  Index steps = 0;
+  for (std::size_t i = 1; i < target.size(); ++i) {
+    steps |= (target[i] - target[i - 1]) ^ 1;
+  }
+  return steps == 0;
+}
+
+// Coordinates of a block as one list, with the weight of each.
+GRAFTSMAN_VECTOR_CLONES
+void blendRun(const double* weights, const double* part, const double* base, double* out, std::size_t size) {
+  std::array<double, 3 * kBlock> weight;
+  for (std::size_t j = 0; j < size; ++j) {
+    weight[3 * j] = weights[j];
+    weight[3 * j + 1] = weights[j];
+    weight[3 * j + 2] = weights[j];
+  }
+  for (std::size_t j = 0; j < 3 * size; ++j) {
+    out[j] = mix(weight[j], part[j], base[j]);
+  }
+}
+
 void blendRange(const CombinedTile& combined, const FCF& fcf, std::span<const Index> target,
                 std::span<Point> out, std::size_t begin, std::size_t end) {
   std::array<double, kBlock> weights;
   for (; begin < end; begin += kBlock) {
     const std::size_t size = std::min(kBlock, end - begin);
+    const std::span<const Index> to = target.subspan(begin, size);
     fcf.evaluate(std::span(combined.s).subspan(begin, size), std::span(weights).first(size));
+    if (isRun(to)) {
+      blendRun(weights.data(), combined.part[begin].data(), combined.base[begin].data(),
+               out[static_cast<std::size_t>(to[0])].data(), size);
+      continue;
+    }
     for (std::size_t j = 0; j < size; ++j) {
-      const std::size_t i = begin + j;
-      const double f = weights[j];
-      const Point& part = combined.part[i];
-      const Point& base = combined.base[i];
-      Point& v = out[static_cast<std::size_t>(target[i])];
-      if (f == 0) {  // not by Eq. 1: 0 · v¹ + v² turns −0 into 0
-        v = base;
-      } else if (f == 1) {
-        v = part;
-      } else {
-        v = f * part + (1 - f) * base;
+      const Point& part = combined.part[begin + j];
+      const Point& base = combined.base[begin + j];
+      Point& v = out[static_cast<std::size_t>(to[j])];
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        v[k] = mix(weights[j], part[k], base[k]);
       }
     }
   }

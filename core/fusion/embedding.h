@@ -64,4 +64,10 @@ struct Embedding {
                                       Index boundarySize, std::span<const Index> corners,
                                       const EmbeddingSettings& settings, const Progress& progress);
 
+/// The same with the boundary's positions on the n-gon given: B of them, ascending from corner 0, no two
+/// nearer than doubles can tell apart.
+[[nodiscard]] Result<Embedding> embed(std::span<const Point> points, std::span<const Face> faces,
+                                      std::vector<BoundaryPosition> boundaryPositions, Index sides,
+                                      const EmbeddingSettings& settings, const Progress& progress);
+
 }  // namespace graftsman

@@ -1,7 +1,6 @@
 #include "core/fusion/fcf.h"
 
 #include <algorithm>
-#include <cassert>
 #include <charconv>
 #include <string>
 #include <utility>
@@ -142,13 +141,6 @@ std::size_t FCF::searchSegment(std::size_t first, std::size_t last, double s) co
   const auto above =
       std::upper_bound(from, to, s, [](double value, const Segment& segment) { return value < segment.s; });
   return static_cast<std::size_t>(above - segments_.begin()) - 1;
-}
-
-void FCF::evaluate(std::span<const double> s, std::span<double> out) const {
-  assert(s.size() == out.size());
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    out[i] = (*this)(s[i]);
-  }
 }
 
 std::string_view name(FCF::Preset preset) {

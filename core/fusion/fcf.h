@@ -52,11 +52,8 @@ class FCF {
   /// f(s), in [0, 1], for s in [0, 1]; s outside is clamped (and NaN taken for 0). Exactly the points' f at
   /// their s.
   [[nodiscard]] double operator()(double s) const {
-    s = s > 0 ? (s < 1 ? s : 1) : 0;
-    const Segment& segment = segments_[segmentAt(s)];
-    const double t = s - segment.s;
-    const double f = segment.f + t * (segment.c1 + t * (segment.c2 + t * segment.c3));
-    return f > 0 ? (f < 1 ? f : 1) : 0;
+    s = inUnit(s);
+    return segments_[segmentAt(s)](s);
   }
 
   /// f of many: out[i] = f(s[i]). Same bits as one by one. Allocates nothing. Precondition: equal sizes.
@@ -74,10 +71,23 @@ class FCF {
     double c1 = 0;
     double c2 = 0;
     double c3 = 0;
+
+    [[nodiscard]] double operator()(double at) const {
+      const double t = at - s;
+      return inUnit(f + t * (c1 + t * (c2 + t * c3)));
+    }
   };
   static constexpr int kCells = 64;
 
   FCF(std::vector<FCFPoint> points, bool monotone);
+
+  [[nodiscard]] static double inUnit(double x) {
+    x = x > 0 ? x : 0;
+    return x < 1 ? x : 1;
+  }
+
+  template <std::size_t N>
+  void evaluateFew(std::span<const double> s, std::span<double> out) const;
 
   [[nodiscard]] std::size_t segmentAt(double s) const {
     const auto cell = static_cast<std::size_t>(s * kCells);

@@ -1,25 +1,21 @@
 #include "core/fusion/line_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
 
-// The inner loop once more for wider vectors, chosen when the program starts. The operations and their order
-// are the same, and -ffp-contract=off keeps them apart, so that every copy gives the same bits. Sanitizers do
-// not get along with the choice at program start.
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define GRAFTSMAN_VECTOR_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define GRAFTSMAN_VECTOR_CLONES
-#endif
+#include "core/base/vector_clones.h"
 
 namespace graftsman {
 namespace {
 
-constexpr int kBlock = 256;  // points that stay in the nearest cache while all lines pass over them
 constexpr int kFastest = 8;  // greatest falloff by multiplication; single precision does not underflow there
+
+// Range of a point's sums in which no weight that matters was lost.
+constexpr float kSmallestSum = 1e-25F;
+constexpr float kGreatestSum = 1e30F;
 
 }  // namespace
 
@@ -64,71 +60,120 @@ LineField::LineField(std::vector<BoundaryLine> lines, double size, double fallof
   }
 }
 
-// Eqs. 4–8 for one line and the points of a block.
+// Puts the points, `coordinates` of them three each, into a block.
 GRAFTSMAN_VECTOR_CLONES
-void LineField::addLine(const FastLine& line, int falloff, Block& block) {
-  const FastLine c = line;  // a copy: the compiler need not fear that the block's arrays overlap it
-  alignas(64) float x[kBlock];
-  alignas(64) float y[kBlock];
-  alignas(64) float z[kBlock];
-  alignas(64) float w[kBlock];
-  for (int j = 0; j < kBlock; ++j) {
-    x[j] = (block.xHigh[j] - c.originHigh[0]) + (block.xLow[j] - c.originLow[0]);
-    y[j] = (block.yHigh[j] - c.originHigh[1]) + (block.yLow[j] - c.originLow[1]);
-    z[j] = (block.zHigh[j] - c.originHigh[2]) + (block.zLow[j] - c.originLow[2]);
-    float along = x[j] * c.overLength2[0] + y[j] * c.overLength2[1] + z[j] * c.overLength2[2];
-    along = along > 0 ? along : 0;
-    along = along < 1 ? along : 1;
-    const float dx = x[j] - along * c.edge[0];
-    const float dy = y[j] - along * c.edge[1];
-    const float dz = z[j] - along * c.edge[2];
-    const float distance = std::sqrt(dx * dx + dy * dy + dz * dz);
-    w[j] = block.unit[j] * c.length / (c.length + distance);
-  }
-  if (falloff == 5) {
-    for (int j = 0; j < kBlock; ++j) {
-      const float square = w[j] * w[j];
-      w[j] *= square * square;
-    }
-  } else {
-    float base[kBlock];
-    std::copy(w, w + kBlock, base);
-    for (int i = 1; i < falloff; ++i) {
-      for (int j = 0; j < kBlock; ++j) {
-        w[j] *= base[j];
-      }
-    }
-  }
-  for (int j = 0; j < kBlock; ++j) {
-    const float dx = c.linear[0] * x[j] + c.linear[1] * y[j] + c.linear[2] * z[j] + c.shift[0];
-    const float dy = c.linear[3] * x[j] + c.linear[4] * y[j] + c.linear[5] * z[j] + c.shift[1];
-    const float dz = c.linear[6] * x[j] + c.linear[7] * y[j] + c.linear[8] * z[j] + c.shift[2];
-    block.xMove[j] += w[j] * dx;
-    block.yMove[j] += w[j] * dy;
-    block.zMove[j] += w[j] * dz;
-    block.weight[j] += w[j];
+void LineField::load(const double* coordinates, Block& block) const {
+  const double scale = 1 / size_;
+  const float unitScale = static_cast<float>(1 / longest_);
+  for (std::size_t j = 0; j < kBlock; ++j) {
+    const double x = coordinates[3 * j] * scale;
+    const double y = coordinates[3 * j + 1] * scale;
+    const double z = coordinates[3 * j + 2] * scale;
+    const auto xHigh = static_cast<float>(x);
+    const auto yHigh = static_cast<float>(y);
+    const auto zHigh = static_cast<float>(z);
+    block.xHigh[j] = xHigh;
+    block.yHigh[j] = yHigh;
+    block.zHigh[j] = zHigh;
+    block.xLow[j] = static_cast<float>(x - static_cast<double>(xHigh));
+    block.yLow[j] = static_cast<float>(y - static_cast<double>(yHigh));
+    block.zLow[j] = static_cast<float>(z - static_cast<double>(zHigh));
+    block.unit[j] = 1 + std::sqrt(xHigh * xHigh + yHigh * yHigh + zHigh * zHigh) * unitScale;
+    block.weight[j] = 0;
+    block.xMove[j] = 0;
+    block.yMove[j] = 0;
+    block.zMove[j] = 0;
   }
 }
 
-void LineField::moveBlock(std::span<Point> points) const {
-  Block block = {};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point x = points[i] / size_;
-    block.xHigh[i] = static_cast<float>(x.x());
-    block.yHigh[i] = static_cast<float>(x.y());
-    block.zHigh[i] = static_cast<float>(x.z());
-    block.xLow[i] = static_cast<float>(x.x() - static_cast<double>(block.xHigh[i]));
-    block.yLow[i] = static_cast<float>(x.y() - static_cast<double>(block.yHigh[i]));
-    block.zLow[i] = static_cast<float>(x.z() - static_cast<double>(block.zHigh[i]));
-    block.unit[i] = static_cast<float>(1 + x.norm() / longest_);
+// Eqs. 4–8 for one line and the points of a block; `power` is x ↦ x^n.
+GRAFTSMAN_INLINE void LineField::addLine(const FastLine& line, Block& block, auto power) {
+  const FastLine c = line;  // a copy: the compiler need not fear that the block's arrays overlap it
+  for (std::size_t j = 0; j < kBlock; ++j) {
+    const float x = (block.xHigh[j] - c.originHigh[0]) + (block.xLow[j] - c.originLow[0]);
+    const float y = (block.yHigh[j] - c.originHigh[1]) + (block.yLow[j] - c.originLow[1]);
+    const float z = (block.zHigh[j] - c.originHigh[2]) + (block.zLow[j] - c.originLow[2]);
+    const float t = x * c.overLength2[0] + y * c.overLength2[1] + z * c.overLength2[2];
+    const float along = 0.5F * (std::abs(t) - std::abs(t - 1) + 1);  // t clamped to [0, 1], without a branch
+    const float dx = x - along * c.edge[0];
+    const float dy = y - along * c.edge[1];
+    const float dz = z - along * c.edge[2];
+    const float distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const float w = power(block.unit[j] * c.length / (c.length + distance));
+    const float xMove = c.linear[0] * x + c.linear[1] * y + c.linear[2] * z + c.shift[0];
+    const float yMove = c.linear[3] * x + c.linear[4] * y + c.linear[5] * z + c.shift[1];
+    const float zMove = c.linear[6] * x + c.linear[7] * y + c.linear[8] * z + c.shift[2];
+    block.xMove[j] += w * xMove;
+    block.yMove[j] += w * yMove;
+    block.zMove[j] += w * zMove;
+    block.weight[j] += w;
   }
+}
+
+// All lines for a block, with n = 5 as the paper has it, and any other n up to kFastest.
+GRAFTSMAN_VECTOR_CLONES
+void LineField::addLines(Block& block) const {
+  if (falloff_ == 5) {
+    for (const FastLine& line : fastLines_) {
+      addLine(line, block, [](float x) { return (x * x) * (x * x) * x; });
+    }
+    return;
+  }
+  const auto n = static_cast<unsigned>(falloff_);
   for (const FastLine& line : fastLines_) {
-    addLine(line, static_cast<int>(falloff_), block);
+    addLine(line, block, [n](float x) {
+      float power = n & 1 ? x : 1;
+      x *= x;
+      power = n & 2 ? power * x : power;
+      x *= x;
+      power = n & 4 ? power * x : power;
+      x *= x;
+      return n & 8 ? power * x : power;
+    });
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d sum(block.xMove[i], block.yMove[i], block.zMove[i]);
-    const Eigen::Vector3d displacement = sum / static_cast<double>(block.weight[i]);
-    points[i] = displacement.allFinite() ? Point(points[i] + size_ * displacement) : moved(points[i]);
+}
+
+// Whether single precision neither over- nor underflowed, as it does for points very far away.
+GRAFTSMAN_INLINE bool LineField::isRight(const Block& block, std::size_t j) {
+  const float sum = std::abs(block.xMove[j]) + std::abs(block.yMove[j]) + std::abs(block.zMove[j]);
+  return block.weight[j] > kSmallestSum && block.weight[j] < kGreatestSum && sum < kGreatestSum;
+}
+
+GRAFTSMAN_VECTOR_CLONES
+bool LineField::areRight(const Block& block) {
+  int wrong = 0;
+  for (std::size_t j = 0; j < kBlock; ++j) {
+    wrong |= isRight(block, j) ? 0 : 1;
+  }
+  return wrong == 0;
+}
+
+// Eq. 7.
+GRAFTSMAN_VECTOR_CLONES
+void LineField::store(const Block& block, double* coordinates) const {
+  for (std::size_t j = 0; j < kBlock; ++j) {
+    const float factor = 1 / block.weight[j];
+    coordinates[3 * j] += size_ * static_cast<double>(factor * block.xMove[j]);
+    coordinates[3 * j + 1] += size_ * static_cast<double>(factor * block.yMove[j]);
+    coordinates[3 * j + 2] += size_ * static_cast<double>(factor * block.zMove[j]);
+  }
+}
+
+void LineField::moveBlock(std::span<Point, kBlock> points) const {
+  Block block;
+  load(points[0].data(), block);
+  addLines(block);
+  if (areRight(block)) {
+    store(block, points[0].data());
+    return;
+  }
+  std::array<Point, kBlock> given;
+  std::copy(points.begin(), points.end(), given.begin());
+  store(block, points[0].data());
+  for (std::size_t j = 0; j < kBlock; ++j) {
+    if (!isRight(block, j)) {
+      points[j] = moved(given[j]);
+    }
   }
 }
 
@@ -162,8 +207,15 @@ void LineField::move(std::span<Point> points) const {
     }
     return;
   }
-  for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {
-    moveBlock(points.subspan(begin, std::min<std::size_t>(kBlock, points.size() - begin)));
+  for (; points.size() >= kBlock; points = points.subspan(kBlock)) {
+    moveBlock(points.first<kBlock>());
+  }
+  if (!points.empty()) {
+    std::array<Point, kBlock> rest;
+    rest.fill(points[0]);
+    std::copy(points.begin(), points.end(), rest.begin());
+    moveBlock(rest);
+    std::copy_n(rest.begin(), points.size(), points.begin());
   }
 }
 

@@ -36,10 +36,17 @@ class LineField {
     float shift[3];   // image − origin
   };
 
+  /// Points that stay in the nearest cache while all lines pass over them.
+  static constexpr std::size_t kBlock = 256;
   struct Block;
 
-  static void addLine(const FastLine& line, int falloff, Block& block);
-  void moveBlock(std::span<Point> points) const;
+  void load(const double* coordinates, Block& block) const;
+  static void addLine(const FastLine& line, Block& block, auto power);
+  void addLines(Block& block) const;
+  static bool isRight(const Block& block, std::size_t j);
+  static bool areRight(const Block& block);
+  void store(const Block& block, double* coordinates) const;
+  void moveBlock(std::span<Point, kBlock> points) const;
   [[nodiscard]] Point moved(const Point& point) const;
 
   std::vector<BoundaryLine> lines_;

@@ -19,8 +19,11 @@ constexpr int kPointsPerInterval = 3;
 // A way round that is longer than the direct path by this factor is not what the person drew: perhaps the
 // other path can give way more cheaply.
 constexpr double kLongWay = 1.25;
-// Attempts that only look for a shorter total; those that look for any solution are up to one a path more.
+// Attempts that only look for a shorter total.
 constexpr int kMostImprovements = 3;
+// While none has succeeded, a path may come to the front so often. On a disk with CVs on its border, the only
+// case where attempts fail although there is a way, that found it in all of a thousand random loops.
+constexpr int kMostPromotions = 4;
 
 using PathPtr = std::shared_ptr<const Path>;
 
@@ -48,12 +51,44 @@ class Router {
     int worst = -1;  // the path that went the longest way round for its length, if a long one
   };
 
-  RoutedLoop bestAttempt(bool keepOffBorder) {
+  // From the shortest to the longest. Off the border, those come last of which one in each chain from border
+  // CV to border CV closes that chain: the others never part the surface, and with all CVs then tied to the
+  // border by them, a closing one parts only what must be parted. So on a disk a way is found if there is
+  // one.
+  std::vector<int> settlingOrder(bool keepOffBorder) const {
     std::vector<int> order(direct_.size());
     std::iota(order.begin(), order.end(), 0);
     const auto length = [&](int i) { return direct_[static_cast<std::size_t>(i)]->length; };
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return length(a) < length(b); });
-    std::vector<bool> promoted(order.size(), false);
+    const std::vector<bool> closing = keepOffBorder ? closingPaths() : std::vector<bool>(order.size(), false);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+      const bool aLast = closing[static_cast<std::size_t>(a)];
+      const bool bLast = closing[static_cast<std::size_t>(b)];
+      return aLast != bLast ? bLast : length(a) < length(b);
+    });
+    return order;
+  }
+
+  // The longest path between each two consecutive border CVs.
+  std::vector<bool> closingPaths() const {
+    const std::size_t n = cvs_.size();
+    std::vector<bool> closing(n, false);
+    const auto onBorder = [&](std::size_t i) { return mesh_.onBorder(cvs_[i % n]); };
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!onBorder(i)) {
+        continue;
+      }
+      std::size_t longest = i;
+      for (std::size_t k = i + 1; !onBorder(k); ++k) {
+        longest = direct_[k % n]->length > direct_[longest]->length ? k % n : longest;
+      }
+      closing[longest] = true;
+    }
+    return closing;
+  }
+
+  RoutedLoop bestAttempt(bool keepOffBorder) {
+    std::vector<int> order = settlingOrder(keepOffBorder);
+    std::vector<int> promotions(order.size(), 0);
     RoutedLoop best;
     RoutedLoop firstFailure;
     double bestTotal = std::numeric_limits<double>::infinity();
@@ -73,10 +108,11 @@ class Router {
       } else if (firstFailure.failed < 0) {
         firstFailure = attempt.loop;
       }
-      if (promote < 0 || promoted[static_cast<std::size_t>(promote)]) {
+      const int most = best.paths.empty() ? kMostPromotions : 1;
+      if (promote < 0 || promotions[static_cast<std::size_t>(promote)] >= most) {
         break;
       }
-      promoted[static_cast<std::size_t>(promote)] = true;
+      ++promotions[static_cast<std::size_t>(promote)];
       const auto at = std::find(order.begin(), order.end(), promote);
       std::rotate(order.begin(), at, at + 1);
     }
@@ -98,7 +134,8 @@ class Router {
       obstacles.setEnds(from, to);
       if (const auto conflict = obstacles.conflict(path->points)) {
         path = pathAround(mesh_, obstacles, from, to, mode_, progress_);
-        if (!path) {
+        assert(!path || !obstacles.conflict(path->points));
+        if (!path || obstacles.conflict(path->points)) {
           attempt.loop = {{}, i, conflict->path, conflict->cv};
           return attempt;
         }

@@ -124,10 +124,10 @@ bool PathObstacles::permits(const EdgePoint& a, const EdgePoint& b) const {
   const auto t = [&](const EdgePoint& p) {
     return p.isVertex() ? (p.vertex == mesh_->to(edge) ? 1.0 : 0.0) : p.t;
   };
-  const auto [low, high] = std::minmax(t(a), t(b));
-  return m->along < 0 &&
-         std::none_of(m->crossings.begin(), m->crossings.end(),
-                      [&, l = low, h = high](const Crossing& c) { return l <= c.t && c.t <= h; });
+  const double low = std::min(t(a), t(b));
+  const double high = std::max(t(a), t(b));
+  return m->along < 0 && std::none_of(m->crossings.begin(), m->crossings.end(),
+                                      [&](const Crossing& c) { return low <= c.t && c.t <= high; });
 }
 
 bool PathObstacles::permitsIn(Index face, const EdgePoint& a, const EdgePoint& b) const {

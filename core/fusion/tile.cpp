@@ -154,13 +154,19 @@ class TileGatherer {
         if (const Index t = divided_.twin(h); t >= 0) {
           reach(t / 3);
         } else {
-          noteSmallest(region.border, std::min(divided_.from(h), divided_.to(h)));
+          noteSmallest(region.border, std::min(meshVertex(divided_.from(h)), meshVertex(divided_.to(h))));
         }
       }
     }
     region.complete = true;
     countVertices(region);
     return region;
+  }
+
+  // A number that a person can look up: of a new point, an end of its edge.
+  [[nodiscard]] Index meshVertex(Index v) const {
+    const Index point = v - mesh_.vertexCount();
+    return point < 0 ? v : mesh_.from(cut_.where[static_cast<std::size_t>(point)].halfedge);
   }
 
   void countVertices(Region& region) const {

@@ -49,8 +49,9 @@ class Updater {
     gather(Side::Part, progress_.span(0, 0.25));
     gather(Side::Base, progress_.span(0.25, 0.5));
     adjustPart(progress_.span(0.5, 0.55));
-    embedTile(Side::Base, progress_.span(0.55, 0.7));
-    embedTile(Side::Part, progress_.span(0.7, 0.85));
+    embedBase(progress_.span(0.55, 0.7));
+    fitPart(progress_.span(0.7, 0.75));
+    embedPart(progress_.span(0.75, 0.85));
     combine(progress_.span(0.85, 0.97));
     fuse(progress_.span(0.97, 1));
     return std::move(now_);
@@ -148,25 +149,44 @@ class Updater {
     });
   }
 
-  void embedTile(Side side, const Progress& progress) {
-    const bool isPart = side == Side::Part;
-    SideResults& now = isPart ? now_.part : now_.base;
-    const SideResults& before = isPart ? before_.part : before_.base;
-    const bool same = now.tile == before.tile && now_.inputs.embedding == before_.inputs.embedding &&
-                      (!isPart || now_.adjustment == before_.adjustment);
-    stage<Embedding>(Stage::Embed, side, same, now.embedding, before.embedding, progress, [&] {
-      const Tile& tile = *now.tile;
-      return shared(embed(isPart ? now_.adjustment->points : tile.points, tile.faces, tile.boundarySize,
-                          tile.corners, now_.inputs.embedding, progress));
+  void embedBase(const Progress& progress) {
+    const bool same =
+        now_.base.tile == before_.base.tile && now_.inputs.embedding == before_.inputs.embedding;
+    stage<Embedding>(Stage::Embed, Side::Base, same, now_.base.embedding, before_.base.embedding, progress,
+                     [&] {
+                       const Tile& tile = *now_.base.tile;
+                       return shared(embed(tile.points, tile.faces, tile.boundarySize, tile.corners,
+                                           now_.inputs.embedding, progress));
+                     });
+  }
+
+  void fitPart(const Progress& progress) {
+    const bool exact = now_.inputs.adjustment.exactFit;
+    const bool same = now_.part.tile == before_.part.tile && now_.adjustment == before_.adjustment &&
+                      exact == before_.inputs.adjustment.exactFit &&
+                      (!exact || now_.base.embedding == before_.base.embedding);
+    stage<FittedTile>(Stage::Fit, Side::Part, same, now_.fitted, before_.fitted, progress, [&] {
+      return shared(exact ? fitBoundary(*now_.part.tile, *now_.adjustment, *now_.base.tile,
+                                        now_.base.embedding->boundary, progress)
+                          : Result<FittedTile>(keepBoundary(*now_.part.tile, *now_.adjustment)));
     });
   }
 
+  void embedPart(const Progress& progress) {
+    const bool same = now_.fitted == before_.fitted && now_.inputs.embedding == before_.inputs.embedding;
+    stage<Embedding>(
+        Stage::Embed, Side::Part, same, now_.part.embedding, before_.part.embedding, progress, [&] {
+          const FittedTile& tile = *now_.fitted;
+          return shared(embed(tile.points, tile.faces, tile.boundary, static_cast<Index>(tile.corners.size()),
+                              now_.inputs.embedding, progress));
+        });
+  }
+
   void combine(const Progress& progress) {
-    const bool same = now_.part.embedding == before_.part.embedding &&
-                      now_.adjustment == before_.adjustment &&
+    const bool same = now_.part.embedding == before_.part.embedding && now_.fitted == before_.fitted &&
                       now_.base.embedding == before_.base.embedding && now_.base.tile == before_.base.tile;
     stage<CombinedTile>(Stage::Overlay, std::nullopt, same, now_.combined, before_.combined, progress, [&] {
-      return shared(overlay({now_.adjustment->points, *now_.part.embedding},
+      return shared(overlay({now_.fitted->points, *now_.part.embedding},
                             {now_.base.tile->points, *now_.base.embedding}, progress));
     });
   }
@@ -200,8 +220,8 @@ FusionResults update(const FusionInputs& inputs, const FusionResults& previous, 
 }
 
 const char* name(Stage stage) {
-  constexpr std::array<const char*, kStageCount> kNames = {"anchor", "paths",   "cut",  "tile", "adjust",
-                                                           "embed",  "overlay", "join", "blend"};
+  constexpr std::array<const char*, kStageCount> kNames = {"anchor", "paths", "cut",     "tile", "adjust",
+                                                           "fit",    "embed", "overlay", "join", "blend"};
   return kNames[static_cast<std::size_t>(stage)];
 }
 

@@ -11,6 +11,7 @@
 #include "core/fusion/join.h"
 #include "core/fusion/loop.h"
 #include "core/fusion/paths.h"
+#include "core/fusion/seam_fit.h"
 #include "core/fusion/tile.h"
 
 namespace graftsman {
@@ -36,8 +37,8 @@ struct FusedMesh {
 };
 
 /// The stages in the order in which they run.
-enum class Stage { Anchor, Paths, Cut, Tile, Adjust, Embed, Overlay, Join, Blend };
-inline constexpr int kStageCount = 9;
+enum class Stage { Anchor, Paths, Cut, Tile, Adjust, Fit, Embed, Overlay, Join, Blend };
+inline constexpr int kStageCount = 10;
 
 /// How one stage went in one update.
 struct StageRun {
@@ -62,6 +63,7 @@ struct FusionResults {
   SideResults part;
   SideResults base;
   std::shared_ptr<const Adjustment> adjustment;
+  std::shared_ptr<const FittedTile> fitted;  // the part's tile as it is embedded
   std::shared_ptr<const CombinedTile> combined;
   std::shared_ptr<const graftsman::Join> join;
   std::shared_ptr<const FusedMesh> fused;

@@ -16,39 +16,26 @@ constexpr double kCornerRounding = 4 * 2.220446049250313e-16;
 // A position's rounding, in units of the greatest coordinate: a sum of three products, each rounded.
 constexpr double kPositionRounding = 8 * 2.220446049250313e-16;
 
-// Ericson, Real-Time Collision Detection, §5.1.5.
-Point closestOnTriangle(const Point& p, const Point& a, const Point& b, const Point& c) {
-  const Point ab = b - a;
-  const Point ac = c - a;
-  const double d1 = ab.dot(p - a);
-  const double d2 = ac.dot(p - a);
-  if (d1 <= 0 && d2 <= 0) {
-    return a;
+double distanceToSegment(const Point& p, const Point& a, const Point& b) {
+  const Eigen::Vector3d ab = b - a;
+  const double squared = ab.squaredNorm();
+  const double t = squared > 0 ? std::clamp(ab.dot(p - a) / squared, 0.0, 1.0) : 0;
+  return (p - (a + t * ab)).norm();
+}
+
+// From a triangle: the nearest of its edges, or its plane where p is above the inside. Needles keep their
+// accuracy.
+double distanceToTriangle(const Point& p, const Point& a, const Point& b, const Point& c) {
+  const double edges =
+      std::min({distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  const auto inside = [&](const Point& from, const Point& to) {
+    return (to - from).cross(p - from).dot(normal) >= 0;
+  };
+  if (normal.squaredNorm() == 0 || !inside(a, b) || !inside(b, c) || !inside(c, a)) {
+    return edges;
   }
-  const double d3 = ab.dot(p - b);
-  const double d4 = ac.dot(p - b);
-  if (d3 >= 0 && d4 <= d3) {
-    return b;
-  }
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
-    return a + d1 / (d1 - d3) * ab;
-  }
-  const double d5 = ab.dot(p - c);
-  const double d6 = ac.dot(p - c);
-  if (d6 >= 0 && d5 <= d6) {
-    return c;
-  }
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
-    return a + d2 / (d2 - d6) * ac;
-  }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-  }
-  const double sum = va + vb + vc;
-  return sum > 0 ? Point(a + vb / sum * ab + vc / sum * ac) : a;
+  return std::min(edges, std::abs((p - a).dot(normal)) / normal.norm());
 }
 
 // The vertices of an embedding in space: the tile's, then the added ones.
@@ -79,7 +66,7 @@ double greatestDistance(const CombinedTile& combined, std::span<const Point> pos
     };
     for (const Index v : combined.faces[f]) {
       const Point& p = positions[static_cast<std::size_t>(v)];
-      greatest = std::max(greatest, (p - closestOnTriangle(p, corner(0), corner(1), corner(2))).norm());
+      greatest = std::max(greatest, distanceToTriangle(p, corner(0), corner(1), corner(2)));
     }
   }
   return greatest;
@@ -185,7 +172,7 @@ Verification verify(const FusionResults& results) {
   verification.base = checkMesh(base);
   verification.result = checkMesh(mesh);
   const std::vector<Point> basePoints = embeddedPoints(baseTile.points, *results.base.embedding);
-  const std::vector<Point> partPoints = embeddedPoints(results.adjustment->points, *results.part.embedding);
+  const std::vector<Point> partPoints = embeddedPoints(results.fitted->points, *results.part.embedding);
   const double diagonal = base.diagonal();
   verification.baseDistance = greatestDistance(combined, combined.base, combined.baseFaces, basePoints,
                                                results.base.embedding->faces) /

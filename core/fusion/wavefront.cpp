@@ -10,7 +10,6 @@
 #include "core/fusion/zeroed_array.h"
 
 namespace graftsman {
-std::vector<double> waysEstimates;
 namespace {
 
 // A candidate's estimated length may exceed the least by this part: more than the error of the wavefront
@@ -22,6 +21,10 @@ constexpr std::size_t kMostWays = 6;
 // long.
 constexpr double kSmallestCorrection = 1e-7;
 constexpr int kProgressInterval = 1024;
+// A vertex is among long and thin triangles if its longest edge is so many times its shortest; models for
+// animation and scans have a few percent of such vertices, tessellated solids nearly nothing else.
+constexpr double kElongated = 8;
+constexpr double kManyElongated = 0.2;
 // A ray that passes a vertex closer than this part of the edge goes through it: closer than its own error.
 constexpr double kNearVertex = 1e-3;
 // A ray ends at the vertex of a face from where the rest is longer by at most this part, which is rounding.
@@ -49,8 +52,11 @@ Unfolded unfoldSource(double base, double da, double db) {
 
 class Front {
  public:
-  Front(const TriangleMesh& mesh, Index source)
-      : mesh_(mesh), nodes_(static_cast<std::size_t>(mesh.vertexCount())) {
+  Front(const TriangleMesh& mesh, Index source, Index goal, double bound)
+      : mesh_(mesh),
+        goal_(mesh.point(goal)),
+        bound_(bound),
+        nodes_(static_cast<std::size_t>(mesh.vertexCount())) {
     nodes_[source] = {0, source, 1};
     heap_.push(0, source);
   }
@@ -69,17 +75,33 @@ class Front {
   Index settle() {
     const Index v = heap_.pop().value;
     nodes_[v].state = 2;
-    const Index first = mesh_.outgoing(v);
-    for (Index h = first; h >= 0;) {
-      const Index last = TriangleMesh::prev(h);
-      spread(v, h, last);
-      h = mesh_.twin(last);
-      if (h == first) {
-        break;
+    gatherSpokes(v);
+    countElongated();
+    const double distance = nodes_[v].distance;
+    const std::size_t size = spokes_.size();
+    for (std::size_t k = 0; k < size; ++k) {
+      const Spoke& target = spokes_[k];
+      const Spoke* after = k + 1 < size ? &spokes_[k + 1] : closed_ ? &spokes_.front() : nullptr;
+      const Spoke* before = k > 0 ? &spokes_[k - 1] : closed_ ? &spokes_.back() : nullptr;
+      Update best{target.node.distance, v};
+      if (target.node.state == 0 || distance < best.distance) {
+        best.distance = distance + std::sqrt(target.squaredLength);
+      }
+      if (after && mayCross(*after, target)) {
+        through(distance, *after, target, TriangleMesh::prev(target.h), best);
+      }
+      if (before && mayCross(*before, target)) {
+        through(distance, *before, target, before->h, best);
+      }
+      if (target.node.state == 0 || best.distance < target.node.distance) {
+        lower(target.vertex, best);
       }
     }
     return v;
   }
+
+  [[nodiscard]] long settledCount() const { return settled_; }
+  [[nodiscard]] long elongatedCount() const { return elongated_; }
 
   // The way from v back to the source, along the rays that its distance came by.
   [[nodiscard]] std::vector<EdgePoint> wayFrom(Index v) const {
@@ -104,57 +126,80 @@ class Front {
     return node.state == 2 || node.distance != entry.key;
   }
 
-  void lower(Index v, double distance, Index via) {
-    Node& node = nodes_[v];
-    if (node.state != 0 && !(distance < node.distance * (1 - kSmallestCorrection))) {
-      return;
+  struct Spoke {
+    Index h;  // from the fan's centre to `vertex`, or back if the last of an open fan
+    Index vertex;
+    Node node;
+    Point vector;
+    double squaredLength;
+  };
+  struct Update {
+    double distance;
+    Index via;
+  };
+
+  void countElongated() {
+    double least = spokes_.front().squaredLength;
+    double greatest = least;
+    for (const Spoke& spoke : spokes_) {
+      least = std::min(least, spoke.squaredLength);
+      greatest = std::max(greatest, spoke.squaredLength);
     }
-    node = {distance, via, 1};
-    heap_.push(distance, v);
+    ++settled_;
+    elongated_ += greatest > kElongated * kElongated * least ? 1 : 0;
   }
 
-  // From the settled v into the face between its halfedges h (outgoing) and last (incoming), and past the
-  // opposite edge's ends.
-  void spread(Index v, Index h, Index last) {
-    const Index a = mesh_.to(h);
-    const Index b = mesh_.from(last);
-    const double dv = nodes_[v].distance;
+  void gatherSpokes(Index v) {
+    spokes_.clear();
     const Point& origin = mesh_.point(v);
-    const Point va = mesh_.point(a) - origin;
-    const Point vb = mesh_.point(b) - origin;
-    if (!mesh_.singular(a)) {
-      lower(a, dv + va.norm(), v);
-    }
-    if (mesh_.singular(b)) {
-      return;
-    }
-    if (mesh_.twin(last) < 0) {
-      lower(b, dv + vb.norm(), v);
-    }
-    if (nodes_[a].state == 2) {
-      through(v, a, b, va, vb, h);
-    }
-    if (nodes_[b].state == 2 && !mesh_.singular(a)) {
-      through(v, b, a, vb, va, last);
-    }
+    const auto add = [&](Index h, Index w) {
+      const Point vector = mesh_.point(w) - origin;
+      spokes_.push_back({h, w, nodes_[w], vector, vector.squaredNorm()});
+    };
+    const Index first = mesh_.outgoing(v);
+    Index h = first;
+    do {
+      add(h, mesh_.to(h));
+      const Index last = TriangleMesh::prev(h);
+      h = mesh_.twin(last);
+      if (h < 0) {
+        add(last, mesh_.from(last));
+      }
+    } while (h >= 0 && h != first);
+    closed_ = h == first;
   }
 
-  // Updates c from the settled a and b, ends of the edge of h: their distances put the source in the plane of
-  // the triangle, on the other side of a–b; ab and ac are vectors from a.
-  void through(Index a, Index b, Index c, const Point& ab, const Point& ac, Index h) {
-    const Node& target = nodes_[c];
-    const double nearest = std::min(nodes_[a].distance, nodes_[b].distance);
-    if (target.state != 0 && target.distance <= nearest) {
+  void lower(Index v, const Update& update) {
+    Node& node = nodes_[v];
+    if (mesh_.singular(v)) {
       return;
     }
-    // A front reaches a corner late through the opposite edge only if the corner is obtuse.
-    if (target.state == 2 && ac.dot(ac - ab) >= 0) {
+    if (node.state != 0 && !(update.distance < node.distance * (1 - kSmallestCorrection))) {
       return;
     }
-    const double base = ab.norm();
-    const Unfolded s = unfoldSource(base, nodes_[a].distance, nodes_[b].distance);
-    const double cx = ab.dot(ac) / base;
-    const double cy2 = ac.squaredNorm() - cx * cx;
+    if (node.state == 0 && update.distance + (mesh_.point(v) - goal_).norm() > bound_) {
+      return;
+    }
+    node = {update.distance, update.via, 1};
+    heap_.push(update.distance, v);
+  }
+
+  // Whether the ray to c may come through the edge to b: a front reaches a settled corner late through the
+  // opposite edge only if the corner is obtuse.
+  static bool mayCross(const Spoke& b, const Spoke& c) {
+    return b.node.state == 2 && (c.node.state != 2 || c.squaredLength < b.vector.dot(c.vector));
+  }
+
+  // The distance of c by the ray through the edge from a, the vertex just settled, to b, settled, too; h is
+  // its halfedge opposite c: their distances put the source in the plane of the triangle, on the edge's other
+  // side.
+  static void through(double da, const Spoke& b, const Spoke& c, Index h, Update& best) {
+    const double along = b.vector.dot(c.vector);
+    const double base = std::sqrt(b.squaredLength);
+    const double db = b.node.distance;
+    const Unfolded s = unfoldSource(base, da, db);
+    const double cx = along / base;
+    const double cy2 = c.squaredLength - cx * cx;
     if (!(base > 0) || !s.valid || !(cy2 > 0)) {
       return;
     }
@@ -165,8 +210,8 @@ class Front {
     }
     const double distance = std::sqrt((cx - s.sx) * (cx - s.sx) + (cy + s.sy) * (cy + s.sy));
     // Always from a nearer vertex, so that chains of nearerVertex() end, even where distances fall later.
-    if (distance > nearest) {
-      lower(c, distance, ~h);
+    if (distance < best.distance && distance > std::min(da, db)) {
+      best = {distance, ~h};
     }
   }
 
@@ -220,26 +265,32 @@ class Front {
       }
       const double side = (s.sx - x) * dy - s.sy * (dx - x);  // above 0: the ray passes d on b's side
       h = side > 0 ? TriangleMesh::prev(twin) : TriangleMesh::next(twin);
-      (void)side;
       origin = position(mesh_, way.back());
     }
   }
 
   const TriangleMesh& mesh_;
+  Point goal_;
+  double bound_;
   ZeroedArray<Node> nodes_;
   MinHeap heap_;
+  long settled_ = 0;
+  long elongated_ = 0;         // of these, how many have edges of very different length
+  std::vector<Spoke> spokes_;  // of the vertex just settled
+  bool closed_ = false;        // whether they go all the way round
 };
 
 class Meeting {
  public:
-  Meeting(const TriangleMesh& mesh, Index from, Index to) : mesh_(mesh), fronts_{{mesh, from}, {mesh, to}} {}
+  Meeting(const TriangleMesh& mesh, Index from, Index to, double bound)
+      : mesh_(mesh), fronts_{{mesh, from, to, bound}, {mesh, to, from, bound}}, bound_(bound) {}
 
   bool run(const Progress& progress) {
     int settled = 0;
     for (;;) {
       const double r0 = fronts_[0].radius();
       const double r1 = fronts_[1].radius();
-      if (!(r0 + r1 < best_ * (1 + kSpread))) {
+      if (!(r0 + r1 < std::min(bound_, best_ * (1 + kSpread)))) {
         return true;  // also where both are infinite
       }
       Front& front = fronts_[r0 <= r1 ? 0 : 1];
@@ -253,6 +304,12 @@ class Meeting {
         return false;
       }
     }
+  }
+
+  bool elongated() const {
+    const auto settled = static_cast<double>(fronts_[0].settledCount() + fronts_[1].settledCount());
+    const auto count = static_cast<double>(fronts_[0].elongatedCount() + fronts_[1].elongatedCount());
+    return count > kManyElongated * settled;
   }
 
   std::vector<std::vector<EdgePoint>> ways() {
@@ -277,8 +334,6 @@ class Meeting {
     std::stable_sort(places.begin(), places.end(), [&](Index a, Index b) { return sum(a) < sum(b); });
     places.resize(std::min(places.size(), kMostWays));
     std::vector<std::vector<EdgePoint>> result;
-    waysEstimates.clear();
-    for (Index v : places) waysEstimates.push_back(sum(v));
     for (const Index v : places) {
       std::vector<EdgePoint> way = fronts_[0].wayFrom(v);
       std::reverse(way.begin(), way.end());
@@ -321,18 +376,19 @@ class Meeting {
   const TriangleMesh& mesh_;
   Front fronts_[2];
   std::vector<Index> met_;
+  double bound_;
   double best_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
 
-std::vector<std::vector<EdgePoint>> waysByWavefront(const TriangleMesh& mesh, Index from, Index to,
-                                                    const Progress& progress) {
-  Meeting meeting(mesh, from, to);
+WavefrontWays waysByWavefront(const TriangleMesh& mesh, Index from, Index to, double bound,
+                              const Progress& progress) {
+  Meeting meeting(mesh, from, to, bound * (1 + kSpread));
   if (!meeting.run(progress)) {
     return {};
   }
-  return meeting.ways();
+  return {meeting.ways(), meeting.elongated()};
 }
 
 }  // namespace graftsman

@@ -124,7 +124,7 @@ std::size_t dropDuplicates(const TriangleMesh& mesh, std::vector<Face>& faces) {
     }
   }
   std::sort(suspects.begin(), suspects.end());
-  std::vector<bool> isDuplicate(suspects.empty() ? 0 : faces.size(), false);
+  std::vector<bool> isDuplicate(suspects.empty() ? 0 : mesh.faces().size(), false);
   std::size_t count = 0;
   for (std::size_t i = 1; i < suspects.size(); ++i) {
     if (suspects[i].first == suspects[i - 1].first) {

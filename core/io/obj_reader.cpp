@@ -1,6 +1,7 @@
 #include "core/io/obj_reader.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <optional>
 
@@ -10,28 +11,35 @@ namespace graftsman {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 20;  // bytes between two looks at the progress
+constexpr std::size_t kShortVertex = 24;              // bytes of a line with a vertex; few are shorter
+constexpr std::size_t kShortFace = 14;                // bytes of a line with a triangle
+constexpr int kPlainDigits = 9;                       // of a vertex number that surely fits an Index
 
 bool isContinuation(const char* at, const char* end) {
   return *at == '\\' && at + 1 != end && isLineEnd(at[1]);
 }
 
-// Blanks, and line ends after a backslash.
-const char* skipInLine(const char* at, const char* end) {
-  while (true) {
-    at = skipBlanks(at, end);
-    if (at == end || !isContinuation(at, end)) {
-      return at;
-    }
+// Over blanks, and over line ends after a backslash.
+const char* skipContinuations(const char* at, const char* end) {
+  while (at != end && isContinuation(at, end)) {
     at += at[1] == '\r' && at + 2 != end && at[2] == '\n' ? 3 : 2;
+    at = skipBlanks(at, end);
   }
+  return at;
+}
+
+inline const char* skipInLine(const char* at, const char* end) {
+  at = skipBlanks(at, end);
+  return at == end || *at != '\\' ? at : skipContinuations(at, end);
 }
 
 // Over the rest of a statement, with the lines that continue it.
 const char* skipStatement(const char* at, const char* end) {
   while (true) {
     const char* const last = lineEnd(at, end);
-    if (last == end || last == at || last[-1] != '\\') {
-      return last;
+    if (last == end || last == at || last[-1] != '\\' ||
+        std::memchr(at, '#', static_cast<std::size_t>(last - at)) != nullptr) {
+      return last;  // a backslash at the end of a comment continues nothing
     }
     at = last + (*last == '\r' && last + 1 != end && last[1] == '\n' ? 2 : 1);
   }
@@ -44,6 +52,9 @@ class ObjParser {
       : input_(input), end_(input.bytes.data() + input.bytes.size()), vertexCount_(vertexCount) {}
 
   Result<RawMesh> parse() {
+    // More than most files need. What is not written to takes no memory.
+    mesh_.points.reserve(input_.bytes.size() / kShortVertex);
+    mesh_.triangles.reserve(input_.bytes.size() / kShortFace);
     const char* at = input_.bytes.data();
     const auto size = static_cast<double>(input_.bytes.size());
     while (at != end_) {
@@ -77,7 +88,7 @@ class ObjParser {
       } else if (*at == 'f' && second == 'o' && (at + 2 == end_ || isSpace(at[2]))) {
         at = parseFace(at, at + 2);  // the face statement of OBJ's first version
       } else {
-        at = *at == '#' ? lineEnd(at, end_) : skipStatement(at, end_);
+        at = skipStatement(at, end_);
       }
       if (at == nullptr) {
         return nullptr;
@@ -94,7 +105,7 @@ class ObjParser {
       return nullptr;
     }
     mesh_.points.push_back(point);
-    return after == end_ || isLineEnd(*after) ? after : skipRest(after);
+    return after == end_ || isLineEnd(*after) ? after : skipStatement(after, end_);
   }
 
   const char* parseFace(const char* statement, const char* at) {
@@ -106,10 +117,12 @@ class ObjParser {
         break;
       }
       Index corner = 0;
-      at = parseCorner(at, corner);
+      const char* const after = parsePlainCorner(at, corner);
+      at = after != nullptr ? after : parseCorner(at, corner);
       if (at == nullptr) {
         return nullptr;
       }
+      greatest_ = std::max(greatest_, corner);
       if (count < 3) {
         face[count] = corner;
       } else {
@@ -128,13 +141,24 @@ class ObjParser {
     } else if (count < 3) {
       startPolygon(face, count);
     }
-    return at == end_ || isLineEnd(*at) ? at : skipRest(at);
+    return skipStatement(at, end_);
   }
 
   void startPolygon(const Face& face, std::size_t count) {
     mesh_.beginPolygon();
     mesh_.polygonCorners.insert(mesh_.polygonCorners.end(), face.begin(),
                                 face.begin() + static_cast<int>(count));
+  }
+
+  // The corners that nearly all are: a positive number of a few digits. Null: not one of these.
+  const char* parsePlainCorner(const char* at, Index& corner) const {
+    std::uint64_t number = 0;
+    const char* after = parseDigits(at, end_, number);
+    if (number == 0 || after - at > kPlainDigits || after == end_ || vertexCount_) {
+      return nullptr;
+    }
+    corner = static_cast<Index>(number) - 1;
+    return *after == '/' ? skipCornerTail(after) : isSpace(*after) ? after : nullptr;
   }
 
   // A corner is v, v/vt, v//vn or v/vt/vn; what follows the first slash is of no use here.
@@ -156,21 +180,19 @@ class ObjParser {
                             std::to_string(*vertexCount_) + " vertices");
     }
     corner = static_cast<Index>(std::min<std::int64_t>(vertex, std::numeric_limits<Index>::max()));
-    greatest_ = std::max(greatest_, corner);
-    while (after != end_ && !isSpace(*after) && *after != '\\' && *after != '#') {
-      ++after;
+    return skipCornerTail(after);
+  }
+
+  const char* skipCornerTail(const char* at) const {
+    while (at != end_ && !endsToken(at, end_)) {
+      ++at;
     }
-    return after;
+    return at;
   }
 
   static std::string quotedNumber(const char* first, const char* last) {
     const std::string digits(first, last);
     return digits.size() <= 20 ? digits : digits.substr(0, 20) + "...";
-  }
-
-  const char* skipRest(const char* at) const {
-    const char* const comment = at;
-    return *comment == '#' ? lineEnd(at, end_) : skipStatement(at, end_);
   }
 
   std::nullptr_t failAt(const char* at, const std::string& message) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "core/io/text_scanner.h"
 
@@ -17,10 +18,7 @@ class OffParser {
       : input_(input), at_(input.bytes.data()), end_(at_ + input.bytes.size()) {}
 
   Result<RawMesh> parse() {
-    Result<void> done = parseKeyword();
-    if (done) {
-      done = parseCounts();
-    }
+    bool done = parseKeyword() && parseCounts();
     for (std::size_t row = 0; done && row < vertices_ + faces_; ++row) {
       const double rows = static_cast<double>(vertices_ + faces_);
       if (row % kRowsPerLook == 0 && !input_.progress.keepGoing(static_cast<double>(row) / rows)) {
@@ -29,18 +27,19 @@ class OffParser {
       done = row < vertices_ ? parseVertex(row) : parseFace(row - vertices_);
     }
     if (!done) {
-      return tl::unexpected<Error>(std::move(done.error()));
+      return fail(std::move(*error_));
     }
     return std::move(mesh_);
   }
 
  private:
-  Result<void> parseKeyword() {
+  // All functions below return false where error_ says why.
+  bool parseKeyword() {
     at_ = skipSpaceAndComments(at_, end_);
     std::string_view token = tokenAt(at_, end_);
     token = token.substr(0, token.find('#'));
     if (!token.empty() && std::all_of(token.begin(), token.end(), [](char c) { return digitOf(c) < 10; })) {
-      return {};  // no keyword: the counts come first
+      return true;  // no keyword: the counts come first
     }
     std::string prefix(token.substr(0, kLongestKeyword));
     const bool isN = prefix.ends_with("nOFF");  // n coordinates; N is for normals
@@ -48,13 +47,12 @@ class OffParser {
       c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     }
     if (!prefix.ends_with("OFF")) {
-      return malformedLine(input_, at_, "expected the keyword OFF, found " + shown(token));
+      return failHere("expected the keyword OFF, found " + shown(token));
     }
     prefix.resize(prefix.size() - 3);
     if (isN || prefix.find('4') != std::string::npos) {
-      return malformedLine(input_, at_,
-                           "files of the kind " + shown(token) +
-                               " are not read: their vertices do not have three coordinates");
+      return failHere("files of the kind " + shown(token) +
+                      " are not read: their vertices do not have three coordinates");
     }
     for (const std::string_view part : {"ST", "C", "N"}) {
       const std::size_t found = prefix.find(part);
@@ -63,25 +61,22 @@ class OffParser {
       }
     }
     if (!prefix.empty()) {
-      return malformedLine(input_, at_, "expected the keyword OFF, found " + shown(token));
+      return failHere("expected the keyword OFF, found " + shown(token));
     }
     at_ = skipBlanks(at_ + token.size(), end_);
     if (tokenAt(at_, end_) == "BINARY") {
-      return malformedLine(input_, at_, "binary OFF files are not read; save the mesh as text");
+      return failHere("binary OFF files are not read; save the mesh as text");
     }
-    return {};
+    return true;
   }
 
-  Result<void> parseCounts() {
+  bool parseCounts() {
     for (std::size_t* const count : {&vertices_, &faces_}) {
       at_ = skipSpaceAndComments(at_, end_);
       std::int64_t value = 0;
       const char* const after = parseInteger(at_, end_, value);
       if (after == nullptr || !endsToken(after, end_) || value < 0) {
-        return malformedLine(input_, at_,
-                             std::string("expected the number of ") +
-                                 (count == &vertices_ ? "vertices" : "faces") + ", found " +
-                                 shown(tokenAt(at_, end_)));
+        return expected(count == &vertices_ ? "the number of vertices" : "the number of faces");
       }
       *count = static_cast<std::size_t>(value);
       at_ = after;
@@ -100,32 +95,32 @@ class OffParser {
     // A vertex takes six bytes with its separators, a face two; the last one has no separator.
     const std::size_t left = static_cast<std::size_t>(end_ - at_) + 1;
     if (vertices_ > left / 6 || faces_ > (left - 6 * vertices_) / 2) {
-      return malformedLine(input_, at_,
-                           "the header declares " + std::to_string(vertices_) + " vertices and " +
-                               std::to_string(faces_) + " faces, too many for a file of " +
-                               std::to_string(input_.bytes.size()) + " bytes; is it cut off?");
+      return failHere("the header declares " + std::to_string(vertices_) + " vertices and " +
+                      std::to_string(faces_) + " faces, too many for a file of " +
+                      std::to_string(input_.bytes.size()) + " bytes; is it cut off?");
     }
     if (std::max(vertices_, faces_) > kGreatestCount) {
-      return malformedLine(input_, at_, "more than " + std::to_string(kGreatestCount) + " vertices or faces");
+      return failHere("more than " + std::to_string(kGreatestCount) + " vertices or faces");
     }
     mesh_.points.reserve(vertices_);
     mesh_.triangles.reserve(faces_);
-    return {};
+    return true;
   }
 
-  Result<void> parseVertex(std::size_t vertex) {
+  bool parseVertex(std::size_t vertex) {
     at_ = skipSpaceAndComments(at_, end_);
     Point point;
     const char* const after = parsePoint(at_, end_, skipSpaceAndComments, point);
     if (after == nullptr) {
-      return malformedPoint(input_, at_, end_, skipSpaceAndComments, vertex);
+      error_ = malformedPoint(input_, at_, end_, skipSpaceAndComments, vertex).value();
+      return false;
     }
     mesh_.points.push_back(point);
     at_ = lineEnd(after, end_);
-    return {};
+    return true;
   }
 
-  Result<void> parseFace(std::size_t number) {
+  bool parseFace(std::size_t number) {
     at_ = skipSpaceAndComments(at_, end_);
     std::int64_t count = 0;
     const char* after = parseInteger(at_, end_, count);
@@ -133,9 +128,8 @@ class OffParser {
       return expected("the number of corners of face " + std::to_string(number));
     }
     if (count < 0 || count > (end_ - after) / 2 + 1) {
-      return malformedLine(input_, at_,
-                           "face " + std::to_string(number) + " declares " + std::to_string(count) +
-                               " corners, which the rest of the file has no room for");
+      return failHere("face " + std::to_string(number) + " declares " + std::to_string(count) +
+                      " corners, which the rest of the file has no room for");
     }
     at_ = after;
     Face face = {};
@@ -150,10 +144,8 @@ class OffParser {
         return expected("a vertex number of face " + std::to_string(number));
       }
       if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertices_)) {
-        return malformedLine(input_, at_,
-                             "face " + std::to_string(number) + " refers to vertex " +
-                                 std::to_string(vertex) + ", but the file has vertices 0 to " +
-                                 std::to_string(static_cast<std::int64_t>(vertices_) - 1));
+        return failHere("face " + std::to_string(number) + " refers to vertex " + std::to_string(vertex) +
+                        ", but the file has " + std::to_string(vertices_) + " vertices, counted from 0");
       }
       at_ = after;
       if (count == 3) {
@@ -166,14 +158,17 @@ class OffParser {
       mesh_.triangles.push_back(face);
     }
     at_ = lineEnd(at_, end_);
-    return {};
+    return true;
   }
 
-  tl::unexpected<Error> expected(const std::string& what) {
+  bool expected(const std::string& what) {
     const std::string_view token = tokenAt(at_, end_);
-    return malformedLine(
-        input_, at_,
-        "expected " + what + ", found " + (token.empty() ? "the end of the file" : shown(token)));
+    return failHere("expected " + what + ", found " + (token.empty() ? "the end of the file" : shown(token)));
+  }
+
+  bool failHere(const std::string& message) {
+    error_ = malformedLine(input_, at_, message).value();
+    return false;
   }
 
   const ReadInput& input_;
@@ -182,6 +177,7 @@ class OffParser {
   std::size_t vertices_ = 0;
   std::size_t faces_ = 0;
   RawMesh mesh_;
+  std::optional<Error> error_;
 };
 
 }  // namespace

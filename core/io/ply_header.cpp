@@ -114,6 +114,7 @@ class HeaderParser {
 
   Result<void> parseElement(const char* line) {
     PlyElement element;
+    element.line = line;
     element.name = nextWord();
     const std::string_view count = nextWord();
     std::int64_t value = 0;
@@ -173,14 +174,14 @@ class HeaderParser {
         row += ascii ? 2 : sizeOf(p.isList ? p.countType : p.type);
       }
       if (row > 0 && element.count > left / row) {
-        return malformedLine(input_, header_.body,
+        return malformedLine(input_, element.line,
                              "the header declares " + std::to_string(element.count) + " elements " +
                                  shown(element.name) + ", too many for a file of " +
                                  std::to_string(input_.bytes.size()) + " bytes; is it cut off?");
       }
       if (row > 0 && element.count > kGreatestCount) {
         return malformedLine(
-            input_, header_.body,
+            input_, element.line,
             "more than " + std::to_string(kGreatestCount) + " elements " + shown(element.name));
       }
       left -= element.count * row;

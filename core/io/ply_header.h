@@ -27,6 +27,7 @@ struct PlyProperty {
 struct PlyElement {
   std::string name;
   std::size_t count = 0;
+  const char* line = nullptr;  // that declares it
   std::vector<PlyProperty> properties;
 };
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "core/io/ply_header.h"
 #include "core/io/text_scanner.h"
@@ -12,6 +13,7 @@ namespace graftsman {
 namespace {
 
 constexpr std::size_t kRowsPerLook = 4096;  // at the progress
+constexpr int kPlainDigits = 9;             // of a vertex number that surely fits an Index
 
 // A value that no integer property can have, for numbers that are none.
 constexpr std::int64_t kNoInteger = std::numeric_limits<std::int64_t>::min();
@@ -21,8 +23,8 @@ std::int64_t integerOf(double value) {
   return isInteger ? static_cast<std::int64_t>(value) : kNoInteger;
 }
 
-// The values of an ASCII body, one after the other. All functions return false where the file does not have
-// what is asked for, and leave `at` there.
+// The values of an ASCII body, one after the other. number(), integer() and skip() return false where the
+// file does not have what is asked for, and leave `at` there.
 struct AsciiValues {
   const char* at;
   const char* end;
@@ -32,6 +34,29 @@ struct AsciiValues {
       ++at;
     }
     return at;
+  }
+  // Reads a list of three vertices if the next one is that, plainly; else reads nothing.
+  bool plainTriangle(const PlyProperty&, std::size_t vertexCount, Face& face) {
+    const char* p = start();
+    if (end - p < 2 || p[0] != '3' || !isSpace(p[1])) {
+      return false;
+    }
+    ++p;
+    for (Index& corner : face) {
+      while (p != end && isSpace(*p)) {
+        ++p;
+      }
+      std::uint64_t digits = 0;
+      const char* const after = parseDigits(p, end, digits);
+      if (after == p || after - p > kPlainDigits || digits >= vertexCount ||
+          (after != end && !isSpace(*after))) {
+        return false;
+      }
+      corner = static_cast<Index>(digits);
+      p = after;
+    }
+    at = p;
+    return true;
   }
   bool number(PlyType, double& value) {
     const char* const after = parseNumber(start(), end, value);
@@ -67,8 +92,8 @@ struct AsciiValues {
   [[nodiscard]] bool hasRoomFor(PlyType, std::size_t count) const {
     return count <= static_cast<std::size_t>(end - at);
   }
-  tl::unexpected<Error> malformed(const ReadInput& input, const char* where, const std::string& message) {
-    return malformedLine(input, where, message);
+  tl::unexpected<Error> malformed(const ReadInput& input, const std::string& message) {
+    return malformedLine(input, start(), message);
   }
   [[nodiscard]] std::string found() {
     const std::string_view token = tokenAt(start(), end);
@@ -127,6 +152,23 @@ struct BinaryValues {
   }
 
   const char* start() { return at; }
+  bool plainTriangle(const PlyProperty& list, std::size_t vertexCount, Face& face) {
+    constexpr std::size_t kSize = 1 + 3 * sizeof(Index);
+    if (list.countType != PlyType::UInt8 || sizeOf(list.type) != sizeof(Index) ||
+        list.type == PlyType::Float32 || static_cast<std::size_t>(end - at) < kSize || *at != 3) {
+      return false;
+    }
+    BinaryValues items{at + 1, end};
+    for (Index& corner : face) {
+      corner = items.template load<Index>();
+    }
+    const auto inRange = [vertexCount](Index v) { return static_cast<std::uint32_t>(v) < vertexCount; };
+    if (!inRange(face[0]) || !inRange(face[1]) || !inRange(face[2])) {
+      return false;
+    }
+    at = items.at;
+    return true;
+  }
   bool number(PlyType type, double& value) {
     return read(type, value, [](double v) { return v; });
   }
@@ -141,11 +183,21 @@ struct BinaryValues {
   [[nodiscard]] bool hasRoomFor(PlyType type, std::size_t count) const {
     return count <= static_cast<std::size_t>(end - at) / sizeOf(type);
   }
-  tl::unexpected<Error> malformed(const ReadInput& input, const char* where, const std::string& message) {
-    return malformedByte(input, where, message);
+  tl::unexpected<Error> malformed(const ReadInput& input, const std::string& message) {
+    return malformedByte(input, at, message);
   }
   [[nodiscard]] std::string found() { return "the file ends there"; }
 };
+
+bool isCornerList(const PlyProperty& property) {
+  return property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+// 0, 1, 2 for x, y, z; −1 for any other property.
+int axisOf(const PlyProperty& property) {
+  const bool isAxis = !property.isList && property.name.size() == 1;
+  return isAxis && property.name[0] >= 'x' && property.name[0] <= 'z' ? property.name[0] - 'x' : -1;
+}
 
 template <class Values>
 class BodyParser {
@@ -156,84 +208,92 @@ class BodyParser {
   Result<RawMesh> parse(std::size_t vertexCount) {
     vertexCount_ = vertexCount;
     for (const PlyElement& element : header_.elements) {
-      Result<void> parsed = parseElement(element);
-      if (!parsed) {
-        return tl::unexpected<Error>(std::move(parsed.error()));
+      if (!parseElement(element)) {
+        return fail(std::move(*error_));
       }
     }
     return std::move(mesh_);
   }
 
  private:
-  Result<void> parseElement(const PlyElement& element) {
-    if (element.properties.empty()) {
-      return {};
-    }
+  // All functions below return false where error_ says why.
+  bool parseElement(const PlyElement& element) {
+    element_ = &element;
     const bool isVertex = element.name == "vertex";
     const bool isFace = element.name == "face";
+    axes_.clear();
+    cornerList_ = nullptr;
+    for (const PlyProperty& property : element.properties) {
+      axes_.push_back(isVertex ? axisOf(property) : -1);
+      cornerList_ = isFace && isCornerList(property) ? &property : cornerList_;
+    }
     if (isVertex) {
       mesh_.points.reserve(element.count);
     } else if (isFace) {
       mesh_.triangles.reserve(element.count);
     }
-    for (std::size_t row = 0; row < element.count; ++row) {
+    // An element without properties takes no bytes, whatever its count.
+    const std::size_t rows = element.properties.empty() ? 0 : element.count;
+    for (std::size_t row = 0; row < rows; ++row) {
       if (row % kRowsPerLook == 0 && !keepGoing()) {
-        return readingCancelled();
+        return failWith(readingCancelled());
       }
-      Result<void> parsed = isVertex ? parseVertex(element, row) : parseOther(element, row, isFace);
-      if (!parsed) {
-        return parsed;
+      row_ = row;
+      if (!(isVertex ? parseVertex() : parseFace())) {
+        return false;
       }
     }
-    return {};
+    return true;
   }
 
-  Result<void> parseVertex(const PlyElement& element, std::size_t row) {
+  bool parseVertex() {
     Point point;
-    for (const PlyProperty& property : element.properties) {
-      const int axis = axisOf(property);
-      if (axis < 0) {
-        Result<void> skipped = skipProperty(element, property, row);
-        if (!skipped) {
-          return skipped;
+    const std::vector<PlyProperty>& properties = element_->properties;
+    for (std::size_t i = 0; i < properties.size(); ++i) {
+      if (axes_[i] < 0) {
+        if (!skip(properties[i])) {
+          return false;
         }
         continue;
       }
       const char* const where = values_.start();
-      if (!values_.number(property.type, point[axis])) {
-        return missing(element, property, row);
+      double& coordinate = point[axes_[i]];
+      if (!values_.number(properties[i].type, coordinate)) {
+        return missing(properties[i]);
       }
-      if (!std::isfinite(point[axis])) {
-        return values_.malformed(input_, where,
-                                 "the coordinate " + property.name + " of vertex " + std::to_string(row) +
-                                     " is not a finite number");
+      if (!std::isfinite(coordinate)) {
+        values_.at = where;
+        return failAt("the coordinate " + properties[i].name + " of vertex " + std::to_string(row_) +
+                      " is not a finite number");
       }
     }
     mesh_.points.push_back(point);
-    return {};
+    return true;
   }
 
-  Result<void> parseOther(const PlyElement& element, std::size_t row, bool isFace) {
-    for (const PlyProperty& property : element.properties) {
-      Result<void> parsed = isFace && isCornerList(property) ? parseCorners(element, property, row)
-                                                             : skipProperty(element, property, row);
-      if (!parsed) {
-        return parsed;
+  // Or any element but the vertices: without a list of corners there is nothing to keep.
+  bool parseFace() {
+    for (const PlyProperty& property : element_->properties) {
+      if (!(&property == cornerList_ ? parseCorners(property) : skip(property))) {
+        return false;
       }
     }
-    return {};
+    return true;
   }
 
-  Result<void> parseCorners(const PlyElement& element, const PlyProperty& property, std::size_t row) {
-    std::size_t count = 0;
-    Result<void> counted = parseCount(element, property, row, count);
-    if (!counted) {
-      return counted;
+  bool parseCorners(const PlyProperty& property) {
+    Face face = {};
+    if (values_.plainTriangle(property, vertexCount_, face)) {
+      mesh_.triangles.push_back(face);
+      return true;
     }
-    Face face;
+    std::size_t count = 0;
+    if (!parseCount(property, count)) {
+      return false;
+    }
     if (count != 3) {
       if (mesh_.polygonCorners.size() + count > kGreatestCount) {
-        return values_.malformed(input_, values_.at, "the polygons have too many corners");
+        return failAt("the polygons have too many corners");
       }
       mesh_.beginPolygon();
     }
@@ -241,15 +301,14 @@ class BodyParser {
       const char* const where = values_.start();
       std::int64_t vertex = 0;
       if (!values_.integer(property.type, vertex)) {
-        return missing(element, property, row);
+        return missing(property);
       }
       if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertexCount_)) {
-        return values_.malformed(
-            input_, where,
-            "face " + std::to_string(row) + " refers to vertex " +
-                (vertex == kNoInteger ? "number that is no integer" : std::to_string(vertex)) +
-                ", but the file has vertices 0 to " +
-                std::to_string(static_cast<std::int64_t>(vertexCount_) - 1));
+        values_.at = where;
+        return failAt("face " + std::to_string(row_) + " refers to " +
+                      (vertex == kNoInteger ? "a vertex number that is no integer"
+                                            : "vertex " + std::to_string(vertex)) +
+                      ", but the file has " + std::to_string(vertexCount_) + " vertices, counted from 0");
       }
       if (count == 3) {
         face[k] = static_cast<Index>(vertex);
@@ -260,58 +319,50 @@ class BodyParser {
     if (count == 3) {
       mesh_.triangles.push_back(face);
     }
-    return {};
+    return true;
   }
 
-  Result<void> skipProperty(const PlyElement& element, const PlyProperty& property, std::size_t row) {
+  bool skip(const PlyProperty& property) {
     std::size_t count = 1;
-    if (property.isList) {
-      Result<void> counted = parseCount(element, property, row, count);
-      if (!counted) {
-        return counted;
-      }
+    if (property.isList && !parseCount(property, count)) {
+      return false;
     }
-    return values_.skip(property.type, count) ? Result<void>() : missing(element, property, row);
+    return values_.skip(property.type, count) || missing(property);
   }
 
   // The length of a list, which the rest of the file has room for.
-  Result<void> parseCount(const PlyElement& element, const PlyProperty& property, std::size_t row,
-                          std::size_t& count) {
+  bool parseCount(const PlyProperty& property, std::size_t& count) {
     const char* const where = values_.start();
     std::int64_t value = 0;
     if (!values_.integer(property.countType, value)) {
-      return missing(element, property, row);
+      return missing(property);
     }
     if (value < 0 || !values_.hasRoomFor(property.type, static_cast<std::size_t>(value))) {
-      return values_.malformed(input_, where,
-                               nameOf(element, property, row) + " declares " +
-                                   (value == kNoInteger ? "no integer" : std::to_string(value)) +
-                                   " items, which the rest of the file has no room for");
+      values_.at = where;
+      return failAt(nameOf(property) + " declares " +
+                    (value == kNoInteger ? "a length that is no integer" : std::to_string(value) + " items") +
+                    "; the rest of the file has no room for them");
     }
     count = static_cast<std::size_t>(value);
-    return {};
+    return true;
   }
 
-  Result<void> missing(const PlyElement& element, const PlyProperty& property, std::size_t row) {
-    const char* const where = values_.start();
-    return values_.malformed(
-        input_, where, "expected a value of " + nameOf(element, property, row) + ", " + values_.found());
+  bool missing(const PlyProperty& property) {
+    return failAt("expected a value of " + nameOf(property) + ", " + values_.found());
   }
 
-  static std::string nameOf(const PlyElement& element, const PlyProperty& property, std::size_t row) {
-    return shown(property.name) + " of " + shown(element.name) + " " + std::to_string(row);
+  [[nodiscard]] std::string nameOf(const PlyProperty& property) const {
+    return shown(property.name) + " of " + shown(element_->name) + " " + std::to_string(row_);
   }
 
-  static int axisOf(const PlyProperty& property) {
-    const bool isAxis = !property.isList && property.name.size() == 1;
-    return isAxis && property.name[0] >= 'x' && property.name[0] <= 'z' ? property.name[0] - 'x' : -1;
+  bool failAt(const std::string& message) { return failWith(values_.malformed(input_, message)); }
+
+  bool failWith(tl::unexpected<Error> error) {
+    error_ = std::move(error.value());
+    return false;
   }
 
-  static bool isCornerList(const PlyProperty& property) {
-    return property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
-  }
-
-  bool keepGoing() const {
+  [[nodiscard]] bool keepGoing() const {
     return input_.progress.keepGoing(static_cast<double>(values_.at - input_.bytes.data()) /
                                      static_cast<double>(input_.bytes.size()));
   }
@@ -320,40 +371,44 @@ class BodyParser {
   const PlyHeader& header_;
   Values values_;
   std::size_t vertexCount_ = 0;
+  const PlyElement* element_ = nullptr;
+  std::vector<int> axes_;                    // of the element's properties
+  const PlyProperty* cornerList_ = nullptr;  // of the element
+  std::size_t row_ = 0;                      // of the element
   RawMesh mesh_;
+  std::optional<Error> error_;
 };
 
 // The number of declared vertices, if the header declares all that a mesh needs.
 Result<std::size_t> checkElements(const ReadInput& input, const PlyHeader& header) {
   const PlyElement* vertex = nullptr;
-  bool hasStrips = false;
-  int cornerLists = 0;
+  const PlyElement* strips = nullptr;
+  const PlyElement* face = nullptr;
   for (const PlyElement& element : header.elements) {
     vertex = element.name == "vertex" ? &element : vertex;
-    hasStrips = hasStrips || element.name == "tristrips";
-    for (const PlyProperty& p : element.properties) {
-      const bool corners = p.isList && (p.name == "vertex_indices" || p.name == "vertex_index");
-      cornerLists += element.name == "face" && corners ? 1 : 0;
-    }
+    strips = element.name == "tristrips" ? &element : strips;
+    face = element.name == "face" ? &element : face;
   }
-  for (const char* const axis : {"x", "y", "z"}) {
-    int found = 0;
-    for (const PlyProperty& p : vertex != nullptr ? vertex->properties : std::vector<PlyProperty>()) {
-      found += p.name == axis && !p.isList ? 1 : 0;
-    }
+  if (vertex == nullptr) {
+    return malformedLine(input, header.body, "the header declares no element 'vertex'");
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto found = std::count_if(vertex->properties.begin(), vertex->properties.end(),
+                                     [axis](const PlyProperty& p) { return axisOf(p) == axis; });
     if (found != 1) {
-      return malformedLine(input, header.body,
-                           vertex == nullptr ? std::string("the header declares no element 'vertex'")
-                                             : std::string("the element 'vertex' must have one property '") +
-                                                   axis + "', it has " + std::to_string(found));
+      return malformedLine(input, vertex->line,
+                           std::string("the element 'vertex' must have one property '") + "xyz"[axis] +
+                               "', it has " + std::to_string(found));
     }
   }
-  if (cornerLists == 0 && hasStrips) {
-    return malformedLine(input, header.body,
+  const auto lists =
+      face != nullptr ? std::count_if(face->properties.begin(), face->properties.end(), isCornerList) : 0;
+  if (lists == 0 && strips != nullptr) {
+    return malformedLine(input, strips->line,
                          "the file holds triangle strips, which are not read; save it with faces");
   }
-  if (cornerLists > 1) {
-    return malformedLine(input, header.body, "the element 'face' has two lists of vertices");
+  if (lists > 1) {
+    return malformedLine(input, face->line, "the element 'face' has two lists of vertices");
   }
   return vertex->count;
 }

@@ -49,7 +49,7 @@ Json milliseconds(const FusionResults& results, const ReportContext& context) {
   return {{"read", context.readMilliseconds},
           {"paths", of(Stage::Anchor) + of(Stage::Paths)},
           {"cut", of(Stage::Cut) + of(Stage::Tile)},
-          {"adjust", of(Stage::Adjust)},
+          {"adjust", of(Stage::Adjust) + of(Stage::Fit)},
           {"embed", of(Stage::Embed)},
           {"overlay", of(Stage::Overlay)},
           {"join", of(Stage::Join)},
@@ -79,7 +79,7 @@ Json toJson(const LoopPaths& paths) {
   return list;
 }
 
-Json toJson(const AdjustmentReport& report) {
+Json toJson(const AdjustmentReport& report, const FittedTile& fitted, bool exactFit) {
   Json rotation = Json::array();
   for (int row = 0; row < 3; ++row) {
     const Eigen::RowVector3d r = report.transform.rotation.row(row);
@@ -96,7 +96,11 @@ Json toJson(const AdjustmentReport& report) {
            {{"before", report.distanceBefore},
             {"rigid", report.distanceAfterRigid},
             {"scale", report.distanceAfterScale},
-            {"line_field", report.distanceAfterLineField}}}};
+            {"line_field", report.distanceAfterLineField}}},
+          {"exact_fit",
+           {{"applied", exactFit},
+            {"mean_boundary_distance", fitted.meanDistance},
+            {"greatest_boundary_distance", fitted.greatestDistance}}}};
 }
 
 Json toJson(const Embedding& embedding) {
@@ -174,7 +178,8 @@ std::string formatReport(const FusionResults& results, const Verification& verif
        {"counts", tableTwo(results)},
        {"curve", curve},
        {"paths", {{"part", toJson(*results.part.paths)}, {"base", toJson(*results.base.paths)}}},
-       {"adjustment", toJson(results.adjustment->report)},
+       {"adjustment",
+        toJson(results.adjustment->report, *results.fitted, results.inputs.adjustment.exactFit)},
        {"embedding", {{"part", toJson(*results.part.embedding)}, {"base", toJson(*results.base.embedding)}}},
        {"seam",
         {{"vertices", results.combined->seamSize},

@@ -166,7 +166,7 @@ FCF fcf(const json* value, const json* monotone) {
 
 void readAdjustment(const json& value, AdjustmentSettings& settings) {
   if (!value.is_object()) {
-    malformed("adjustment", "an object with rigid, scale, line_field, epsilon or max_iterations");
+    malformed("adjustment", "an object with rigid, scale, line_field, exact_fit, epsilon or max_iterations");
   }
   const auto flag = [&](const char* key, bool& target) {
     if (const json* found = find(value, key)) {
@@ -176,6 +176,7 @@ void readAdjustment(const json& value, AdjustmentSettings& settings) {
   flag("rigid", settings.rigid);
   flag("scale", settings.scale);
   flag("line_field", settings.lineField);
+  flag("exact_fit", settings.exactFit);
   if (const json* epsilon = find(value, "epsilon")) {
     settings.epsilon = number(*epsilon, "adjustment.epsilon", "a number, 0 or more");
     if (settings.epsilon < 0) {

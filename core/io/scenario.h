@@ -29,7 +29,7 @@ struct LoadedScenario {
 /// Parses the JSON text of a scenario. Keys: name (the file's name without it), m1, m2, cvp (a list of
 /// [m1's, m2's], each a vertex number or {"face": i, "bary": [a, b, c]}), fcf (a list of [s, f], or a
 /// preset's name; "linear" without it), monotone (true without it), deform_exponent; optional settings: paths
-/// ("straightened" | "paper"), allow_large_tile, adjustment {rigid, scale, line_field, epsilon,
+/// ("straightened" | "paper"), allow_large_tile, adjustment {rigid, scale, line_field, exact_fit, epsilon,
 /// max_iterations}, embedding ("automatic" | "cotangent" | "mean-value" | "low-stretch"); note and unknown
 /// keys are ignored. A face number counts the triangles as read, which are the file's faces where all of them
 /// are triangles and none is dropped. `path` gives the folder, and stands in messages. Error:

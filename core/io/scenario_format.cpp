@@ -56,11 +56,10 @@ std::string formatScenario(const Scenario& scenario, const std::filesystem::path
   object["deform_exponent"] = inputs.adjustment.falloff;
   object["paths"] = wordFor(scenario_keys::kPathModes, inputs.paths);
   object["allow_large_tile"] = inputs.tile.allowLargeTile;
-  object["adjustment"] = {{"rigid", inputs.adjustment.rigid},
-                          {"scale", inputs.adjustment.scale},
-                          {"line_field", inputs.adjustment.lineField},
-                          {"epsilon", inputs.adjustment.epsilon},
-                          {"max_iterations", inputs.adjustment.maxIterations}};
+  object["adjustment"] = {
+      {"rigid", inputs.adjustment.rigid},          {"scale", inputs.adjustment.scale},
+      {"line_field", inputs.adjustment.lineField}, {"exact_fit", inputs.adjustment.exactFit},
+      {"epsilon", inputs.adjustment.epsilon},      {"max_iterations", inputs.adjustment.maxIterations}};
   object["embedding"] = wordFor(scenario_keys::kEmbeddingMethods, inputs.embedding.method);
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

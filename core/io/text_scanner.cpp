@@ -21,17 +21,6 @@ std::size_t lineNumber(std::span<const char> bytes, const char* at) {
 
 }  // namespace
 
-const char* lineEnd(const char* at, const char* end) {
-  const auto find = [&](char c, const char* before) {
-    const void* const found = std::memchr(at, c, static_cast<std::size_t>(before - at));
-    return found != nullptr ? static_cast<const char*>(found) : before;
-  };
-  if (at == end) {
-    return end;
-  }
-  return find('\r', find('\n', end));
-}
-
 const char* skipSpaceAndComments(const char* at, const char* end) {
   while (at != end) {
     if (*at == '#') {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,14 +19,14 @@ namespace graftsman {
 // function reads at or beyond `end`. Lines are not counted on the way: the number of a line is found from its
 // position when an error needs it.
 
-[[nodiscard]] inline bool isBlank(char c) {
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
 [[nodiscard]] inline bool isLineEnd(char c) {
   return c == '\n' || c == '\r';
 }
 [[nodiscard]] inline bool isSpace(char c) {
-  return isBlank(c) || isLineEnd(c);
+  return c <= ' ' && (c == ' ' || (c >= '\t' && c <= '\r'));
+}
+[[nodiscard]] inline bool isBlank(char c) {
+  return isSpace(c) && !isLineEnd(c);
 }
 [[nodiscard]] inline unsigned digitOf(char c) {
   return static_cast<unsigned>(static_cast<unsigned char>(c)) - '0';
@@ -38,7 +40,16 @@ namespace graftsman {
 }
 
 /// The end of the line that `at` is in: its '\n' or '\r', or `end`.
-[[nodiscard]] const char* lineEnd(const char* at, const char* end);
+[[nodiscard]] inline const char* lineEnd(const char* at, const char* end) {
+  if (at == end || isLineEnd(*at)) {
+    return at;
+  }
+  const auto find = [at](char c, const char* before) {
+    const void* const found = std::memchr(at, c, static_cast<std::size_t>(before - at));
+    return found != nullptr ? static_cast<const char*>(found) : before;
+  };
+  return find('\r', find('\n', end));
+}
 
 /// Skips white space, line ends, and comments from '#' to the end of their line.
 [[nodiscard]] const char* skipSpaceAndComments(const char* at, const char* end);
@@ -54,28 +65,65 @@ namespace detail {
 inline constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                         1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                         1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+inline constexpr std::array<std::uint64_t, 9> kIntegerPowersOfTen = {
+    1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+
+/// The number that the digits at the beginning of eight characters make; how many digits these are. All at
+/// once in the bytes of one word (Lemire 2018, with a mask for fewer than eight).
+[[nodiscard]] inline int leadingDigits(const char* eight, std::uint64_t& value) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, eight, sizeof(word));
+  word ^= 0x3030303030303030U;  // digits become 0 to 9
+  // The highest bit of each byte up to the first that is no digit: clear for digits.
+  const std::uint64_t others = ((word + 0x7676767676767676U) | word) & 0x8080808080808080U;
+  const int count = std::countr_zero(others) / 8;
+  if (count == 0) {
+    return 0;
+  }
+  word <<= 64 - 8 * count;
+  word = word * 10 + (word >> 8);
+  word = ((word & 0x000000FF000000FFU) * 0x000F424000000064U +
+          ((word >> 16) & 0x000000FF000000FFU) * 0x0000271000000001U) >>
+         32;
+  value = word;
+  return count;
+}
+}  // namespace detail
+
+/// Appends the decimal digits from `at` on to `value`, which wraps round if there are too many: the position
+/// after them.
+[[nodiscard]] inline const char* parseDigits(const char* at, const char* end, std::uint64_t& value) {
+  if constexpr (std::endian::native == std::endian::little) {
+    while (end - at >= 8) {
+      std::uint64_t part = 0;
+      const int count = detail::leadingDigits(at, part);
+      value = value * detail::kIntegerPowersOfTen[static_cast<std::size_t>(count)] + part;
+      at += count;
+      if (count < 8) {
+        return at;
+      }
+    }
+  }
+  for (; at != end && digitOf(*at) < 10; ++at) {
+    value = 10 * value + digitOf(*at);
+  }
+  return at;
 }
 
-/// The same, faster for the numbers that files are full of: up to 19 digits and no exponent. If the digits
-/// make an integer below 2^53, it and the power of ten are exact doubles, so one division rounds correctly
-/// (Clinger 1990).
+/// The same as parseNumberSlowly(), faster for the numbers that files are full of: up to 19 digits and no
+/// exponent. If the digits make an integer of at most 2^53, it and the power of ten are exact doubles, so one
+/// division rounds correctly (Clinger 1990).
 [[nodiscard]] inline const char* parseNumber(const char* at, const char* end, double& value) {
-  const char* p = at;
-  const bool negative = p != end && *p == '-';
-  p += negative ? 1 : 0;
+  const bool negative = at != end && *at == '-';
+  const char* const first = at + (negative ? 1 : 0);
   std::uint64_t digits = 0;
-  const char* const first = p;
-  for (; p != end && digitOf(*p) < 10; ++p) {
-    digits = 10 * digits + digitOf(*p);
-  }
+  const char* p = parseDigits(first, end, digits);
   auto count = p - first;
   std::ptrdiff_t decimals = 0;
   if (p != end && *p == '.') {
-    const char* const point = ++p;
-    for (; p != end && digitOf(*p) < 10; ++p) {
-      digits = 10 * digits + digitOf(*p);
-    }
-    decimals = p - point;
+    const char* const afterPoint = p + 1;
+    p = parseDigits(afterPoint, end, digits);
+    decimals = p - afterPoint;
     count += decimals;
   }
   constexpr std::uint64_t kExactIntegers = std::uint64_t{1} << 53;
@@ -90,17 +138,19 @@ inline constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  
 
 /// The integer at `at`, limited to ±2^62 if it is larger: the position after it, or null if none is there.
 [[nodiscard]] inline const char* parseInteger(const char* at, const char* end, std::int64_t& value) {
-  const char* p = at;
-  const bool negative = p != end && *p == '-';
-  p += p != end && (*p == '-' || *p == '+') ? 1 : 0;
   constexpr std::int64_t kLimit = std::int64_t{1} << 62;
-  std::int64_t magnitude = 0;
-  const char* const first = p;
-  for (; p != end && digitOf(*p) < 10; ++p) {
-    magnitude = magnitude < kLimit / 10 ? 10 * magnitude + digitOf(*p) : kLimit;
+  const bool negative = at != end && *at == '-';
+  const char* const first = at + (at != end && (*at == '-' || *at == '+') ? 1 : 0);
+  std::uint64_t digits = 0;
+  const char* const after = parseDigits(first, end, digits);
+  if (after == first) {
+    return nullptr;
   }
+  const bool isLarge =
+      after - first > 18 && (after - first > 19 || digits > static_cast<std::uint64_t>(kLimit));
+  const std::int64_t magnitude = isLarge ? kLimit : static_cast<std::int64_t>(digits);
   value = negative ? -magnitude : magnitude;
-  return p == first ? nullptr : p;
+  return after;
 }
 
 /// A piece of a file for a message: in quotes, cut off if long, with every unprintable byte escaped.

@@ -6,6 +6,7 @@
 namespace graftsman {
 namespace {
 
+constexpr std::size_t kBatch = 96;        // points, of 32 facets
 constexpr std::size_t kFewPoints = 1024;  // below so many additions the mean search says nothing
 
 std::uint64_t mix(std::uint64_t bits) {
@@ -21,8 +22,9 @@ std::uint64_t bitsOf(double coordinate) {
 }
 
 std::uint32_t hashOf(const Point& p) {
-  const std::uint64_t sum = bitsOf(p.x()) + 0x9e3779b97f4a7c15U * bitsOf(p.y());
-  return static_cast<std::uint32_t>(mix(mix(sum) + bitsOf(p.z())));
+  return static_cast<std::uint32_t>(mix(0x9e3779b97f4a7c15U * bitsOf(p.x()) +
+                                        0xc2b2ae3d27d4eb4fU * bitsOf(p.y()) +
+                                        0x165667b19e3779f9U * bitsOf(p.z())));
 }
 
 }  // namespace
@@ -38,11 +40,32 @@ Index PointWelder::append(const Point& point) {
 }
 
 Index PointWelder::add(const Point& point) {
-  if (isOrdered_) {
-    return addOrdered(point);
+  return isOrdered_ ? addOrdered(point) : addHashed(point, hashOf(point));
+}
+
+// The table is larger than the caches: what a batch of points needs is asked for in advance.
+void PointWelder::add(std::span<const Point> points, std::span<Index> numbers) {
+  std::array<std::uint32_t, kBatch> hashes;
+  for (std::size_t first = 0; first < points.size(); first += kBatch) {
+    const std::size_t count = std::min(kBatch, points.size() - first);
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      hashes[i] = hashOf(points[first + i]);
+      __builtin_prefetch(slots_.data() + (hashes[i] & mask));
+    }
+    for (std::size_t i = 0; i < count && !isOrdered_; ++i) {
+      const Index point = slots_[hashes[i] & mask].point;
+      __builtin_prefetch(points_.data() + std::max(point, 0));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point& point = points[first + i];
+      numbers[first + i] = isOrdered_ ? addOrdered(point) : addHashed(point, hashes[i]);
+    }
   }
+}
+
+Index PointWelder::addHashed(const Point& point, std::uint32_t hash) {
   ++additions_;
-  const std::uint32_t hash = hashOf(point);
   const std::size_t mask = slots_.size() - 1;
   for (std::size_t at = hash & mask;; at = (at + 1) & mask) {
     Slot& slot = slots_[at];

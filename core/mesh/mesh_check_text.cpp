@@ -19,8 +19,8 @@ std::string rounded(double value, int digits) {
 }
 
 std::string rounded(const Point& p) {
-  return "(" + rounded(p.x(), kLengthDigits) + ", " + rounded(p.y(), kLengthDigits) + ", " +
-         rounded(p.z(), kLengthDigits) + ")";
+  return rounded(p.x(), kLengthDigits) + ", " + rounded(p.y(), kLengthDigits) + ", " +
+         rounded(p.z(), kLengthDigits);
 }
 
 std::string text(Index vertex) {
@@ -39,7 +39,8 @@ std::string defects(const char* what, const Defects& listed, std::size_t count) 
   }
   std::string line = std::string(what) + ": " + std::to_string(count) + ":";
   for (const auto& defect : listed) {
-    line += " " + text(defect);
+    line += ' ';
+    line += text(defect);
   }
   return line + (count > listed.size() ? " ...\n" : "\n");
 }
@@ -67,7 +68,7 @@ std::string describe(const MeshCheck& c) {
          " degrees, median of the faces' smallest angles " + rounded(c.medianSmallestAngle, kAngleDigits) +
          " degrees\n" +  //
          "area " + rounded(c.area, kLengthDigits) + ", volume " + rounded(c.volume, kLengthDigits) + "\n" +
-         "box from " + rounded(c.boxMin) + " to " + rounded(c.boxMax) + "\n";
+         "box from (" + rounded(c.boxMin) + ") to (" + rounded(c.boxMax) + ")\n";
 }
 
 }  // namespace graftsman

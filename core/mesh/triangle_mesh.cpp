@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
+#include <memory>
+#include <span>
 #include <utility>
 
 namespace graftsman {
@@ -25,40 +27,82 @@ TriangleMesh::TriangleMesh(std::vector<Point> points, std::vector<Face> faces)
   findFans();
 }
 
+namespace {
+
+// A halfedge in the bucket of its smaller vertex.
+struct Bucketed {
+  Index larger;    // the other vertex
+  Index halfedge;  // of the pair it may form
+  auto operator<=>(const Bucketed&) const = default;
+};
+
+// Up to so many halfedges are matched by looking at all pairs; a bucket usually has six.
+constexpr std::size_t kFewHalfedges = 16;
+
+// Twins for the halfedges between v and greater vertices, of which each edge's are in `bucket`.
+void pairBucket(Index v, std::span<Bucketed> bucket, const TriangleMesh& mesh, std::vector<Index>& twins,
+                std::vector<bool>& singular) {
+  const bool few = bucket.size() <= kFewHalfedges;
+  if (!few) {
+    std::sort(bucket.begin(), bucket.end());
+  }
+  for (std::size_t i = 0; i < bucket.size(); ++i) {
+    const auto [larger, halfedge] = bucket[i];
+    std::size_t others = 0;
+    Index other = -1;
+    const auto look = [&](std::size_t j) {
+      const bool same = bucket[j].larger == larger && j != i;
+      others += same ? 1 : 0;
+      other = same ? bucket[j].halfedge : other;
+      return same;
+    };
+    if (few) {
+      for (std::size_t j = 0; j < bucket.size(); ++j) {
+        look(j);
+      }
+    } else {  // sorted: two steps to either side tell whether there is none, one or more
+      for (std::size_t j = i; j > 0 && j + 2 > i && look(j - 1); --j) {
+      }
+      for (std::size_t j = i + 1; j < bucket.size() && j < i + 3 && look(j); ++j) {
+      }
+    }
+    if (others == 1 && mesh.from(halfedge) != mesh.from(other)) {
+      twins[static_cast<std::size_t>(halfedge)] = other;
+    } else if (others > 0) {
+      singular[static_cast<std::size_t>(v)] = true;
+      singular[static_cast<std::size_t>(larger)] = true;
+    }
+  }
+}
+
+}  // namespace
+
 // Buckets the halfedges by their smaller vertex, then matches within a bucket: linear, no hashing.
 void TriangleMesh::pairHalfedges() {
-  const auto smaller = [this](Index h) { return std::min(from(h), to(h)); };
-  std::vector<Index> start(points_.size() + 1, 0);
-  for (Index h = 0; h < halfedgeCount(); ++h) {
-    ++start[static_cast<std::size_t>(smaller(h)) + 1];
+  std::vector<Index> ends(points_.size() + 1, 0);  // of the buckets, once they are filled
+  for (const Face& face : faces_) {
+    ++ends[static_cast<std::size_t>(std::min(face[0], face[1]))];
+    ++ends[static_cast<std::size_t>(std::min(face[1], face[2]))];
+    ++ends[static_cast<std::size_t>(std::min(face[2], face[0]))];
   }
-  for (std::size_t v = 1; v < start.size(); ++v) {
-    start[v] += start[v - 1];
+  Index sum = 0;
+  for (Index& end : ends) {
+    sum += std::exchange(end, sum);  // the beginning for now
   }
-  std::vector<std::pair<Index, Index>> bucketed(
-      static_cast<std::size_t>(halfedgeCount()));  // (larger, halfedge)
-  std::vector<Index> fill(start.begin(), start.end() - 1);
-  for (Index h = 0; h < halfedgeCount(); ++h) {
-    const Index low = smaller(h);
-    const auto slot = static_cast<std::size_t>(fill[static_cast<std::size_t>(low)]++);
-    bucketed[slot] = {from(h) == low ? to(h) : from(h), h};
-  }
-  for (std::size_t v = 0; v + 1 < start.size(); ++v) {
-    const auto begin = bucketed.begin() + start[v];
-    const auto end = bucketed.begin() + start[v + 1];
-    std::sort(begin, end);
-    for (auto group = begin; group != end;) {
-      const auto groupEnd = std::find_if(group, end, [&](const auto& e) { return e.first != group->first; });
-      const auto count = groupEnd - group;
-      if (count == 2 && from(group[0].second) != from(group[1].second)) {
-        twins_[static_cast<std::size_t>(group[0].second)] = group[1].second;
-        twins_[static_cast<std::size_t>(group[1].second)] = group[0].second;
-      } else if (count > 1) {
-        singular_[v] = true;
-        singular_[static_cast<std::size_t>(group->first)] = true;
-      }
-      group = groupEnd;
+  const auto bucketed = std::make_unique_for_overwrite<Bucketed[]>(static_cast<std::size_t>(halfedgeCount()));
+  Index halfedge = 0;
+  for (const Face& face : faces_) {
+    for (const auto& [a, b] :
+         {std::pair(face[0], face[1]), std::pair(face[1], face[2]), std::pair(face[2], face[0])}) {
+      Index& end = ends[static_cast<std::size_t>(std::min(a, b))];
+      bucketed[static_cast<std::size_t>(end++)] = {std::max(a, b), halfedge++};
     }
+  }
+  Index begin = 0;
+  for (Index v = 0; v < vertexCount(); ++v) {
+    const Index end = ends[static_cast<std::size_t>(v)];
+    pairBucket(v, {bucketed.get() + begin, static_cast<std::size_t>(end - begin)}, *this, twins_, singular_);
+    begin = end;
   }
 }
 

@@ -204,8 +204,11 @@ class FcfTest : public QObject {
     for (double& value : s) {
       value = unit(random);
     }
+    s[7] = kNan;
+    s[8] = 0;
+    s[9] = 1;
     std::vector<double> out(s.size());
-    for (const std::size_t count : {4U, 5U, 17U, 1000U}) {
+    for (const std::size_t count : {4U, 5U, 6U, 7U, 8U, 9U, 17U, 1000U}) {
       const FCF f = curve(randomPoints(random, count));
       f.evaluate(s, out);
       for (std::size_t i = 0; i < s.size(); ++i) {

@@ -221,7 +221,7 @@ AnchoredLoopPaths zeroLoop(const std::shared_ptr<const TriangleMesh>& mesh, cons
   }
   const EdgePoint start = zeroOn(*mesh, values, h);
   const std::vector<EdgePoint> chain = traceZero(*mesh, values, start);
-  if (chain.size() < 6 * cvs) {
+  if (chain.size() < 6 * cvs) {  // so that no two CVs are neighbours
     return {mesh, {}};
   }
   Loop loop;
@@ -237,28 +237,25 @@ AnchoredLoopPaths zeroLoop(const std::shared_ptr<const TriangleMesh>& mesh, cons
     return {mesh, {}};
   }
   values.resize(static_cast<std::size_t>(anchored->mesh->vertexCount()), 0);
-  return {anchored->mesh,
-          fromChain(traceZero(*anchored->mesh, values, vertex(anchored->cvs[0])), anchored->cvs)};
+  std::vector<EdgePoint> closed = traceZero(*anchored->mesh, values, vertex(anchored->cvs[0]));
+  return {anchored->mesh, closed.empty() ? LoopPaths{} : fromChain(std::move(closed), anchored->cvs)};
 }
 
-/// A loop where a random plane or sphere about the mesh's middle meets it; the same for the same seed.
+/// A loop where a random sphere about a point of the mesh meets it, the same for the same seed: empty if none
+/// of some hundred spheres meets it in a closed curve.
 inline AnchoredLoopPaths randomLoop(const std::shared_ptr<const TriangleMesh>& mesh, unsigned seed) {
   std::mt19937 random(seed);
-  const auto pick = [&] {
-    return mesh->point(
-        mesh->face(static_cast<Index>(random() % static_cast<unsigned>(mesh->faceCount())))[0]);
-  };
-  for (;;) {
+  const auto below = [&](Index count) { return static_cast<Index>(random() % static_cast<unsigned>(count)); };
+  const auto pick = [&] { return mesh->point(mesh->face(below(mesh->faceCount()))[0]); };
+  for (int sphere = 0; sphere < 300; ++sphere) {
     const Point centre = pick();
-    const double radius =
-        (pick() - centre).norm() * (0.1 + 0.5 * static_cast<double>(random() % 1000) / 1000);
+    const double radius = (pick() - centre).norm() * (0.1 + 0.5 * below(1000) / 1000.0);
     const auto field = [&](const Point& p) { return radius - (p - centre).norm(); };
-    for (int tries = 0; tries < 2000; ++tries) {
-      const auto h = static_cast<Index>(random() % static_cast<unsigned>(mesh->halfedgeCount()));
-      const double a = field(mesh->point(mesh->from(h)));
-      const double b = field(mesh->point(mesh->to(h)));
-      if (a < 0 && b > 0) {
-        AnchoredLoopPaths loop = zeroLoop(mesh, field, h, 3 + random() % 6);
+    const Index first = below(mesh->halfedgeCount());
+    for (Index i = 0; i < mesh->halfedgeCount(); ++i) {
+      const Index h = (first + i) % mesh->halfedgeCount();
+      if (field(mesh->point(mesh->from(h))) < 0 && field(mesh->point(mesh->to(h))) > 0) {
+        AnchoredLoopPaths loop = zeroLoop(mesh, field, h, static_cast<std::size_t>(3 + below(6)));
         if (!loop.paths.paths.empty()) {
           return loop;
         }
@@ -266,6 +263,7 @@ inline AnchoredLoopPaths randomLoop(const std::shared_ptr<const TriangleMesh>& m
       }
     }
   }
+  return {mesh, {}};
 }
 
 }  // namespace graftsman::loops

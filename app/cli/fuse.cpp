@@ -1,0 +1,123 @@
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/cli/commands.h"
+#include "app/cli/terminal.h"
+#include "core/base/write_file.h"
+#include "core/fusion/blend.h"
+#include "core/fusion/update.h"
+#include "core/fusion/verify.h"
+#include "core/io/glb_writer.h"
+#include "core/io/mesh_file.h"
+#include "core/io/report.h"
+#include "core/io/scenario.h"
+
+using namespace graftsman;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// The error with the file at the front of its message, where it is not there already.
+Error naming(const std::string& file, Error error) {
+  if (!error.message.starts_with(file)) {
+    error.message = file + ": " + error.message;
+  }
+  return error;
+}
+
+bool isGlb(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) {
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return ending == ".glb";
+}
+
+// The morph from the base's shape (weight 0) to the part's (weight 1), shown at the end where the curve is on
+// average.
+Result<void> writeMorph(const std::filesystem::path& path, const FusionResults& results) {
+  std::vector<Point> part = results.join->points;
+  const std::vector<Index>& target = results.join->tileVertices;
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    part[static_cast<std::size_t>(target[i])] = results.combined->part[i];
+  }
+  return writeGlb(path, {results.join->points, part, results.fused->faces()});
+}
+
+Result<void> write(const std::filesystem::path& path, const FusionResults& results) {
+  if (isGlb(path)) {
+    return writeMorph(path, results);
+  }
+  return writeMesh(path, results.fused->points, results.fused->faces(), {}, terminalProgress("Writing"));
+}
+
+Result<void> writeReport(const std::string& path, const std::string& text) {
+  if (path == "-") {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return {};
+  }
+  return writeFile(path, text);
+}
+
+Result<void> run(const FuseOptions& options) {
+  if (!isGlb(options.output)) {
+    if (const auto format = formatOf(options.output); !format) {
+      return fail(format.error());
+    }
+  }
+  const Clock::time_point start = Clock::now();
+  Result<LoadedScenario> loaded = readScenario(options.input, terminalProgress("Reading"));
+  if (!loaded) {
+    return fail(naming(options.input, std::move(loaded.error())));
+  }
+  FusionInputs inputs = loaded->scenario.inputs;
+  if (options.curve) {
+    Result<FCF> curve = parseFCF(*options.curve);
+    if (!curve) {
+      return fail(std::move(curve.error()));
+    }
+    inputs.fcf = std::move(*curve);
+  }
+  const double readMilliseconds = millisecondsSince(start);
+
+  const FusionResults results = update(inputs, {}, terminalProgress("Fusing"));
+  if (results.error) {
+    return fail(naming(options.input, *results.error));
+  }
+  const Clock::time_point writeStart = Clock::now();
+  if (Result<void> written = write(options.output, results); !written) {
+    return written;
+  }
+  const double writeMilliseconds = millisecondsSince(writeStart);
+  const double totalMilliseconds = millisecondsSince(start);
+  if (!options.report) {
+    return {};
+  }
+  const ReportContext context = {.name = loaded->scenario.name,
+                                 .input = options.input,
+                                 .output = options.output,
+                                 .version = GRAFTSMAN_VERSION,
+                                 .partReport = loaded->partReport,
+                                 .baseReport = loaded->baseReport,
+                                 .readMilliseconds = readMilliseconds,
+                                 .writeMilliseconds = writeMilliseconds,
+                                 .totalMilliseconds = totalMilliseconds};
+  return writeReport(*options.report, formatReport(results, verify(results), context));
+}
+
+}  // namespace
+
+int fuse(const FuseOptions& options) {
+  const Result<void> done = run(options);
+  if (!done) {
+    return reportError(done.error());
+  }
+  clearProgress();
+  return 0;
+}
