@@ -26,7 +26,9 @@ def read(files):
                 sys.exit(f"{run['name']}: {run['error_message']}")
             if run.get("aggregate_name") != "median":
                 continue
-            stage, who, size = run["run_name"].split("/")[:3]
+            # A benchmark without peers may leave "ours" out.
+            parts = run["run_name"].split("/")
+            stage, who, size = parts[:3] if len(parts) > 2 else (parts[0], "ours", parts[-1])
             counters = {key: value for key, value in run.items()
                         if isinstance(value, (int, float)) and key not in OWN_KEYS}
             table.setdefault((stage, size), {})[who] = (run["real_time"] * MILLISECONDS[run["time_unit"]], counters)

@@ -1,6 +1,8 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <system_error>
+#include <vector>
 
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
@@ -65,22 +67,52 @@ Result<void> writeReport(const std::string& path, const std::string& text) {
   return writeFile(path, text);
 }
 
-Result<void> run(const FuseOptions& options) {
-  if (!isGlb(options.output)) {
-    if (const auto format = formatOf(options.output); !format) {
-      return fail(format.error());
+// A slip of the hand must not cost a model: nothing that was read, and nothing twice, is written.
+Result<void> checkTargets(const FuseOptions& options, const Scenario& scenario) {
+  const auto same = [](const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored) ||
+           std::filesystem::equivalent(a, b, ignored);
+  };
+  std::vector<std::string> targets = {options.output};
+  if (options.report && *options.report != "-") {
+    targets.push_back(*options.report);
+  }
+  for (const std::string& target : targets) {
+    for (const std::filesystem::path& source :
+         {std::filesystem::path(options.input), scenario.part, scenario.base}) {
+      if (same(target, source)) {
+        return fail(ErrorCode::FileUnwritable,
+                    target + ": is one of the files that the fusion reads. Give the output another name.");
+      }
     }
+  }
+  if (targets.size() == 2 && same(targets[0], targets[1])) {
+    return fail(ErrorCode::FileUnwritable,
+                targets[0] + ": is both the mesh and the report. Give one another name.");
+  }
+  return {};
+}
+
+Result<void> run(const FuseOptions& options) {
+  if (!isGlb(options.output) && !formatOf(options.output)) {
+    return fail(ErrorCode::FormatUnknown,
+                options.output +
+                    ": unknown format. Give the output a name that ends in .obj, .ply, .stl, .off or .glb.");
   }
   const Clock::time_point start = Clock::now();
   Result<LoadedScenario> loaded = readScenario(options.input, terminalProgress("Reading"));
   if (!loaded) {
     return fail(naming(options.input, std::move(loaded.error())));
   }
+  if (Result<void> separate = checkTargets(options, loaded->scenario); !separate) {
+    return separate;
+  }
   FusionInputs inputs = loaded->scenario.inputs;
   if (options.curve) {
     Result<FCF> curve = parseFCF(*options.curve);
     if (!curve) {
-      return fail(std::move(curve.error()));
+      return fail(naming("--fcf", std::move(curve.error())));
     }
     inputs.fcf = std::move(*curve);
   }

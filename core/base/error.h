@@ -15,6 +15,7 @@ enum class ErrorCode {
   FileUnwritable,     // cannot be created, written or renamed
   FormatUnknown,      // the name's ending is none that we read or write
   FileMalformed,      // the content breaks its format; the message names line or byte
+  MeshOutOfRange,     // so large or so small that squares of its lengths leave the doubles
   MeshEmpty,          // a readable file without a face
   ScenarioMalformed,  // a scenario's JSON or one of its values; the message names the key
   // loop

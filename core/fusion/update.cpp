@@ -3,6 +3,7 @@
 #include <chrono>
 #include <exception>
 #include <new>
+#include <string>
 #include <utility>
 
 #include "core/fusion/blend.h"
@@ -29,6 +30,21 @@ bool samePoints(const Loop& a, const Loop& b, Side side) {
     }
   }
   return true;
+}
+
+// Lengths between these, in any unit, can be squared, and their products summed, without leaving the doubles.
+constexpr double kSmallestDiagonal = 1e-75;
+constexpr double kGreatestDiagonal = 1e75;
+
+Result<void> checkExtent(const TriangleMesh& mesh, Side side) {
+  if (mesh.diagonal() >= kSmallestDiagonal && mesh.diagonal() <= kGreatestDiagonal) {
+    return {};
+  }
+  return fail(
+      ErrorCode::MeshOutOfRange,
+      std::string("The ") + name(side) +
+          "'s bounding box has a diagonal outside 1e-75 to 1e75: computing with it would leave the range of "
+          "double precision. Scale the model, or correct its coordinates.");
 }
 
 // A value as a shared object; an Error as it is.
@@ -114,7 +130,12 @@ class Updater {
 
     stage<AnchoredLoop>(Stage::Anchor, side, sameMesh && samePoints(inputs.loop, before_.inputs.loop, side),
                         now.anchored, before.anchored, progress,
-                        [&] { return shared(anchorLoop(mesh, inputs.loop, side)); });
+                        [&]() -> Result<std::shared_ptr<const AnchoredLoop>> {
+                          if (Result<void> fits = checkExtent(*mesh, side); !fits) {
+                            return fail(std::move(fits.error()));
+                          }
+                          return shared(anchorLoop(mesh, inputs.loop, side));
+                        });
     const bool sameMode = inputs.paths == before_.inputs.paths;
     stage<LoopPaths>(
         Stage::Paths, side, now.anchored == before.anchored && sameMode, now.paths, before.paths,

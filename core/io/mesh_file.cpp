@@ -90,10 +90,19 @@ Result<TriangleSoup> parseTriangles(std::span<const char> bytes, MeshFormat form
   });
 }
 
+// The bytes after a byte order mark, which editors put before text. A binary STL's header may be anything.
+std::span<const char> withoutByteOrderMark(std::span<const char> bytes, MeshFormat format) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  const bool marked =
+      format != MeshFormat::Stl && std::string_view(bytes.data(), bytes.size()).starts_with(kMark);
+  return marked ? bytes.subspan(kMark.size()) : bytes;
+}
+
 Result<MeshFile> parseMesh(std::span<const char> bytes, MeshFormat format, const std::filesystem::path& path,
                            const Progress& progress) {
   return guarded(path, bytes.size(), [&]() -> Result<MeshFile> {
-    Result<TriangleSoup> soup = parseTriangles(bytes, format, path, progress.span(0, kParseShare));
+    Result<TriangleSoup> soup =
+        parseTriangles(withoutByteOrderMark(bytes, format), format, path, progress.span(0, kParseShare));
     if (!soup) {
       return fail(std::move(soup.error()));
     }

@@ -244,6 +244,25 @@ class CliTest : public QObject {
     verifyOneLineError(runCli({"fuse", scenario("fig4a_cone_sphere"), "-o", "/tmp/a.xyz"}));
   }
 
+  void whatIsReadIsNeverOverwritten() {
+    const QTemporaryDir dir;
+    const QString mesh = dir.filePath("sphere.off");
+    QVERIFY(QFile::copy(model("sphere.off"), mesh));
+    const QString file = dir.filePath("s.json");
+    write(file, QString(R"({"m1": "%1", "m2": "sphere.off", "deform_exponent": 5, "fcf": "linear",
+                            "cvp": [[361, 241], [367, 251], [373, 261], [379, 271]]})")
+                    .arg(model("cone.stl"))
+                    .toUtf8());
+    QCOMPARE(runCli({"fuse", file, "-o", dir.filePath("a.obj")}).exitCode, 0);
+    verifyOneLineError(runCli({"fuse", file, "-o", mesh}));
+    verifyOneLineError(
+        runCli({"fuse", file, "-o", dir.filePath("../" + QFileInfo(dir.path()).fileName() + "/sphere.off")}));
+    verifyOneLineError(runCli({"fuse", file, "-o", dir.filePath("b.obj"), "--report", file}));
+    verifyOneLineError(
+        runCli({"fuse", file, "-o", dir.filePath("b.obj"), "--report", dir.filePath("b.obj")}));
+    QCOMPARE(contentOf(mesh), contentOf(model("sphere.off")));
+  }
+
   void checkDescribesAMeshOnStdout() {
     const Outcome outcome = runCli({"check", model("beetle.off")});
     QCOMPARE(outcome.exitCode, 0);

@@ -386,6 +386,14 @@ class MeshFileTest : public QObject {
     QCOMPARE(parsed->error().message, "a.obj: not enough memory for the mesh in a file of 50000000 bytes");
   }
 
+  void aByteOrderMarkBeforeTextIsSkipped() {
+    const std::string text = "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const auto file = parseMesh(text, MeshFormat::Obj, "a.obj", {});
+    QVERIFY(file.has_value());
+    QCOMPARE(file->mesh->vertexCount(), 3);
+    QCOMPARE(file->mesh->point(1), Point(1, 0, 0));
+  }
+
   void whatFuzzingFoundStaysMended() {
     const fs::path root = fs::path(GRAFTSMAN_TEST_DATA) / "fuzz";
     int files = 0;

@@ -319,6 +319,25 @@ class UpdateTest : public QObject {
     QVERIFY(verify(results).holds());
   }
 
+  void aMeshBeyondDoublePrecisionIsRefused_data() {
+    QTest::addColumn<double>("scale");
+    QTest::newRow("huge") << 1e300;
+    QTest::newRow("tiny") << 1e-160;
+    QTest::newRow("a point") << 0.0;
+  }
+  void aMeshBeyondDoublePrecisionIsRefused() {
+    QFETCH(double, scale);
+    FusionInputs inputs = samples::load("fig4a_cone_sphere");
+    std::vector<Point> points = inputs.base->points();
+    for (Point& p : points) {
+      p *= scale;
+    }
+    inputs.base = std::make_shared<TriangleMesh>(std::move(points), inputs.base->faces());
+    const FusionResults results = fuseAll(inputs);
+    QVERIFY(results.error);
+    QCOMPARE(results.error->code, ErrorCode::MeshOutOfRange);
+  }
+
   void aClockwiseLoopIsRefusedWithTheRemedy() {
     FusionInputs inputs = samples::load("fig9b_bird_plane");
     std::reverse(inputs.loop.begin(), inputs.loop.end());
