@@ -43,7 +43,8 @@ def times(reports):
 
 def sizes(report):
     """The columns of Table 2: the number of pairs, and the vertices and faces of each mesh."""
-    return [str(report["cvps"])] + ["{}, {}".format(*report["counts"][mesh]) for mesh in MESHES]
+    counts = [report["counts"][mesh] for mesh in MESHES]
+    return [str(report["cvps"])] + [f"{count['v']}, {count['f']}" for count in counts]
 
 
 def main():

@@ -23,6 +23,14 @@ double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+// The error with the file at the front of its message, where it is not there already.
+Error naming(const std::string& file, Error error) {
+  if (!error.message.starts_with(file)) {
+    error.message = file + ": " + error.message;
+  }
+  return error;
+}
+
 bool isGlb(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   for (char& c : ending) {
@@ -66,7 +74,7 @@ Result<void> run(const FuseOptions& options) {
   const Clock::time_point start = Clock::now();
   Result<LoadedScenario> loaded = readScenario(options.input, terminalProgress("Reading"));
   if (!loaded) {
-    return fail(std::move(loaded.error()));
+    return fail(naming(options.input, std::move(loaded.error())));
   }
   FusionInputs inputs = loaded->scenario.inputs;
   if (options.curve) {
@@ -80,9 +88,7 @@ Result<void> run(const FuseOptions& options) {
 
   const FusionResults results = update(inputs, {}, terminalProgress("Fusing"));
   if (results.error) {
-    Error error = *results.error;
-    error.message = options.input + ": " + error.message;
-    return fail(std::move(error));
+    return fail(naming(options.input, *results.error));
   }
   const Clock::time_point writeStart = Clock::now();
   if (Result<void> written = write(options.output, results); !written) {

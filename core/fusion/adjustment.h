@@ -54,7 +54,14 @@ struct Adjustment {
 };
 
 /// Brings `points` (V×3, the part's tile) to the base by STEPs 1–3, from the CVs' positions on both meshes
-/// (n×3 each, n ≥ 3). Errors: LoopDegenerate (all CVs of a mesh coincide), SettingOutOfRange, Cancelled.
+/// (n×3 each, n ≥ 3). Cost of STEP 3: one pass over the points for each line. Same bits on any number of
+/// threads. Errors: LoopDegenerate (all CVs of a mesh coincide; no scale greater than 0 fits; no two
+/// neighbouring CVs lie apart on both meshes), SettingOutOfRange, Cancelled.
+///
+/// Differs: k of Eq. 3 is taken with both loops about their centroids, since as printed it depends on where
+/// the origin lies; without the rigid step the part grows about its own loop's centroid. A step that is
+/// switched off is passed over, and nothing moves if the CVs are within ε at the start. More beside
+/// boundaryLines() and LineField.
 [[nodiscard]] Result<Adjustment> adjust(std::span<const Point> points, std::span<const Point> partCvs,
                                         std::span<const Point> baseCvs, const AdjustmentSettings& settings,
                                         const Progress& progress);

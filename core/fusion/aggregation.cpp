@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace graftsman {
 namespace {
@@ -77,37 +78,63 @@ std::vector<Index> group(const SparseRows& a, const std::vector<char>& strong, I
   return groups;
 }
 
-/// Adds up one row of a sparse product.
-class RowSum {
+/// Adds up the rows of a sparse product, one after the other.
+class Rows {
  public:
-  explicit RowSum(Index columns) : place_(static_cast<std::size_t>(columns), -1) {}
+  explicit Rows(Index columnCount) : places_(static_cast<std::size_t>(columnCount), -1) {}
+
+  /// Begins a row to which add() will be called at most `most` times.
+  void begin(std::size_t most) {
+    start_ = filled_;
+    if (columns_.size() < filled_ + most) {
+      columns_.resize(std::max(2 * columns_.size(), filled_ + most));
+      values_.resize(columns_.size());
+    }
+  }
 
   void add(Index column, double value) {
-    Index& place = place_[static_cast<std::size_t>(column)];
-    if (place < 0) {
-      place = static_cast<Index>(columns_.size());
-      columns_.push_back(column);
-      values_.push_back(value);
+    std::ptrdiff_t& place = places_[static_cast<std::size_t>(column)];
+    if (place < static_cast<std::ptrdiff_t>(start_)) {
+      place = static_cast<std::ptrdiff_t>(filled_);
+      columns_[filled_] = column;
+      values_[filled_] = value;
+      ++filled_;
     } else {
       values_[static_cast<std::size_t>(place)] += value;
     }
   }
 
-  [[nodiscard]] const std::vector<Index>& columns() const { return columns_; }
-  [[nodiscard]] const std::vector<double>& values() const { return values_; }
-
-  void clear() {
-    for (const Index column : columns_) {
-      place_[static_cast<std::size_t>(column)] = -1;
+  /// Takes the column out of the row and returns its value; 0 if it has none.
+  double take(Index column) {
+    const std::ptrdiff_t place = std::exchange(places_[static_cast<std::size_t>(column)], -1);
+    if (place < static_cast<std::ptrdiff_t>(start_)) {
+      return 0;
     }
-    columns_.clear();
-    values_.clear();
+    const double value = values_[static_cast<std::size_t>(place)];
+    --filled_;
+    if (place != static_cast<std::ptrdiff_t>(filled_)) {  // the last entry fills the gap
+      columns_[static_cast<std::size_t>(place)] = columns_[filled_];
+      values_[static_cast<std::size_t>(place)] = values_[filled_];
+      places_[static_cast<std::size_t>(columns_[filled_])] = place;
+    }
+    return value;
+  }
+
+  [[nodiscard]] Index filled() const { return static_cast<Index>(filled_); }
+
+  void moveTo(std::vector<Index>& columns, std::vector<double>& values) {
+    columns_.resize(filled_);
+    values_.resize(filled_);
+    columns = std::move(columns_);
+    values = std::move(values_);
   }
 
  private:
-  std::vector<Index> place_;
+  std::vector<std::ptrdiff_t> places_;  // of each column's latest entry
   std::vector<Index> columns_;
   std::vector<double> values_;
+  std::size_t start_ = 0;
+  std::size_t filled_ = 0;
 };
 
 /// A P, in the shape of a Prolongation.
@@ -116,27 +143,30 @@ Prolongation product(const SparseRows& a, const Prolongation& p) {
   out.coarseCount = p.coarseCount;
   out.offsets.reserve(a.rows() + 1);
   out.offsets.push_back(0);
-  out.columns.reserve(2 * p.columns.size());
-  out.values.reserve(2 * p.columns.size());
-  RowSum sum(p.coarseCount);
-  const auto addRow = [&](Index row, double factor) {
-    const auto r = static_cast<std::size_t>(row);
-    for (auto k = static_cast<std::size_t>(p.offsets[r]); k < static_cast<std::size_t>(p.offsets[r + 1]);
-         ++k) {
-      sum.add(p.columns[k], factor * p.values[k]);
-    }
+  const auto begin = [&](Index r) {
+    return static_cast<std::size_t>(p.offsets[static_cast<std::size_t>(r)]);
   };
+  Rows rows(p.coarseCount);
   for (std::size_t r = 0; r < a.rows(); ++r) {
-    addRow(static_cast<Index>(r), a.diagonal[r]);
-    for (auto k = static_cast<std::size_t>(a.offsets[r]); k < static_cast<std::size_t>(a.offsets[r + 1]);
-         ++k) {
-      addRow(a.columns[k], a.values[k]);
+    const auto first = static_cast<std::size_t>(a.offsets[r]);
+    const auto last = static_cast<std::size_t>(a.offsets[r + 1]);
+    const auto own = static_cast<Index>(r);
+    std::size_t most = begin(own + 1) - begin(own);
+    for (std::size_t k = first; k < last; ++k) {
+      most += begin(a.columns[k] + 1) - begin(a.columns[k]);
     }
-    out.columns.insert(out.columns.end(), sum.columns().begin(), sum.columns().end());
-    out.values.insert(out.values.end(), sum.values().begin(), sum.values().end());
-    out.offsets.push_back(static_cast<Index>(out.columns.size()));
-    sum.clear();
+    rows.begin(most);
+    for (std::size_t m = begin(own); m < begin(own + 1); ++m) {
+      rows.add(p.columns[m], a.diagonal[r] * p.values[m]);
+    }
+    for (std::size_t k = first; k < last; ++k) {
+      for (std::size_t m = begin(a.columns[k]); m < begin(a.columns[k] + 1); ++m) {
+        rows.add(p.columns[m], a.values[k] * p.values[m]);
+      }
+    }
+    out.offsets.push_back(rows.filled());
   }
+  rows.moveTo(out.columns, out.values);
   return out;
 }
 
@@ -162,26 +192,6 @@ Prolongation transposed(const Prolongation& p) {
     }
   }
   return out;
-}
-
-void appendRow(Index row, const RowSum& sum, SparseRows& out) {
-  double diagonal = 0;
-  for (const bool upper : {false, true}) {
-    for (std::size_t k = 0; k < sum.columns().size(); ++k) {
-      const Index column = sum.columns()[k];
-      if (column == row) {
-        diagonal = sum.values()[k];
-      } else if ((column > row) == upper) {
-        out.columns.push_back(column);
-        out.values.push_back(sum.values()[k]);
-      }
-    }
-    if (!upper) {
-      out.middles.push_back(static_cast<Index>(out.columns.size()));
-    }
-  }
-  out.offsets.push_back(static_cast<Index>(out.columns.size()));
-  out.diagonal.push_back(diagonal);
 }
 
 }  // namespace
@@ -237,21 +247,30 @@ SparseRows coarseMatrix(const SparseRows& a, const Prolongation& p) {
   const Prolongation ap = product(a, p);
   const Prolongation pt = transposed(p);
   SparseRows out;
+  out.offsets.reserve(pt.offsets.size());
   out.offsets.push_back(0);
-  RowSum sum(p.coarseCount);
+  out.diagonal.reserve(pt.offsets.size() - 1);
+  const auto begin = [&](Index fine) {
+    return static_cast<std::size_t>(ap.offsets[static_cast<std::size_t>(fine)]);
+  };
+  Rows rows(p.coarseCount);
   for (Index row = 0; row < p.coarseCount; ++row) {
-    const auto r = static_cast<std::size_t>(row);
-    for (auto k = static_cast<std::size_t>(pt.offsets[r]); k < static_cast<std::size_t>(pt.offsets[r + 1]);
-         ++k) {
-      const auto fine = static_cast<std::size_t>(pt.columns[k]);
-      for (auto m = static_cast<std::size_t>(ap.offsets[fine]);
-           m < static_cast<std::size_t>(ap.offsets[fine + 1]); ++m) {
-        sum.add(ap.columns[m], pt.values[k] * ap.values[m]);
+    const auto first = static_cast<std::size_t>(pt.offsets[static_cast<std::size_t>(row)]);
+    const auto last = static_cast<std::size_t>(pt.offsets[static_cast<std::size_t>(row) + 1]);
+    std::size_t most = 0;
+    for (std::size_t k = first; k < last; ++k) {
+      most += begin(pt.columns[k] + 1) - begin(pt.columns[k]);
+    }
+    rows.begin(most);
+    for (std::size_t k = first; k < last; ++k) {
+      for (std::size_t m = begin(pt.columns[k]); m < begin(pt.columns[k] + 1); ++m) {
+        rows.add(ap.columns[m], pt.values[k] * ap.values[m]);
       }
     }
-    appendRow(row, sum, out);
-    sum.clear();
+    out.diagonal.push_back(rows.take(row));
+    out.offsets.push_back(rows.filled());
   }
+  rows.moveTo(out.columns, out.values);
   return out;
 }
 

@@ -14,7 +14,7 @@ Point2 corner(Index sides, Index i) {
 }  // namespace
 
 Point2 boundaryPoint(Index sides, const BoundaryPosition& position) {
-  const Point2 a = corner(sides, position.side);
+  Point2 a = corner(sides, position.side);
   if (position.t == 0) {
     return a;
   }

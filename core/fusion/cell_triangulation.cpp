@@ -1,32 +1,53 @@
 #include "core/fusion/cell_triangulation.h"
 
-#include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cassert>
 
 namespace graftsman::overlay_detail {
 namespace {
 
-// Shapes worse than this are not told apart; keeps the cost of a flat triangle finite.
+// Shapes worse than this are not told apart, as squared lengths do not hold more; keeps the cost of a flat
+// triangle finite.
 constexpr double kWorstShape = 1e-12;
 
-// 1 / shape, where the shape is 1 for an equilateral triangle, 0 for a flat one, of any size.
-double badness(const Point& a, const Point& b, const Point& c) {
-  const Point ab = b - a;
-  const Point ac = c - a;
-  const double lengths = ab.squaredNorm() + ac.squaredNorm() + (c - b).squaredNorm();
-  const double worst = lengths * lengths;
-  return worst > 0 ? worst / (12 * ab.cross(ac).squaredNorm() + kWorstShape * worst) : 1 / kWorstShape;
-}
+/// A cell's corners on one surface: their squared distances, from which the triangles' shapes follow.
+class Corners {
+ public:
+  Corners(std::span<const Index> corners, std::span<const Point> points) {
+    for (std::size_t j = 1; j < corners.size(); ++j) {
+      for (std::size_t i = 0; i < j; ++i) {
+        squared_[i][j] =
+            (points[static_cast<std::size_t>(corners[j])] - points[static_cast<std::size_t>(corners[i])])
+                .squaredNorm();
+      }
+    }
+  }
 
-/// The corners' positions on both surfaces.
+  // 1 / shape for i < j < k, where the shape is 1 for an equilateral triangle, 0 for a flat one, of any size.
+  [[nodiscard]] double badness(std::size_t i, std::size_t j, std::size_t k) const {
+    const double a = squared_[i][j];
+    const double b = squared_[j][k];
+    const double c = squared_[i][k];
+    const double lengths = a + b + c;
+    const double worst = lengths * lengths;
+    const double flat = a + b - c;
+    const double area = std::max(0.0, 4 * a * b - flat * flat);  // (4 · area)², by Heron
+    return worst > 0 ? worst / (3 * area + kWorstShape * worst) : 1 / kWorstShape;
+  }
+
+ private:
+  std::array<std::array<double, kMostCorners>, kMostCorners> squared_;  // [i][j] for i < j
+};
+
+/// The corners on both surfaces.
 struct Cell {
   std::span<const Index> corners;
-  std::array<Point, kMostCorners> part;
-  std::array<Point, kMostCorners> base;
+  Corners part;
+  Corners base;
 
   [[nodiscard]] double cost(std::size_t i, std::size_t j, std::size_t k) const {
-    return badness(part[i], part[j], part[k]) + badness(base[i], base[j], base[k]);
+    return part.badness(i, j, k) + base.badness(i, j, k);
   }
   [[nodiscard]] Face face(std::size_t i, std::size_t j, std::size_t k) const {
     return {corners[i], corners[j], corners[k]};
@@ -47,7 +68,7 @@ void triangulateQuad(const Cell& cell, std::vector<Face>& out) {
 void triangulateByTable(const Cell& cell, std::vector<Face>& out) {
   const std::size_t n = cell.corners.size();
   std::array<std::array<double, kMostCorners>, kMostCorners> best = {};
-  std::array<std::array<std::size_t, kMostCorners>, kMostCorners> middle = {};
+  std::array<std::array<std::size_t, kMostCorners>, kMostCorners> middle;
   for (std::size_t length = 2; length < n; ++length) {
     for (std::size_t i = 0; i + length < n; ++i) {
       const std::size_t j = i + length;
@@ -83,11 +104,7 @@ void triangulateCell(std::span<const Index> corners, std::span<const Point> part
     out.push_back({corners[0], corners[1], corners[2]});
     return;
   }
-  Cell cell{corners, {}, {}};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    cell.part[i] = part[static_cast<std::size_t>(corners[i])];
-    cell.base[i] = base[static_cast<std::size_t>(corners[i])];
-  }
+  const Cell cell{corners, {corners, part}, {corners, base}};
   if (corners.size() == 4) {
     triangulateQuad(cell, out);
   } else {

@@ -10,7 +10,7 @@ namespace {
 
 /// Errors of the positions in the unit circle, tried until the signs of all faces are right. The first is
 /// far below what shows on a model; the last is about what doubles hold.
-constexpr double kTolerances[] = {1e-7, 1e-10, 1e-13};
+constexpr double kTolerances[] = {1e-6, 1e-9, 1e-13};
 
 }  // namespace
 

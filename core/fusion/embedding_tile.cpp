@@ -143,9 +143,9 @@ void orderRing(const EmbeddingTile& tile, Index begin, Index end, Stars& stars) 
     if (found == end) {
       return;
     }
-    std::swap(stars.ring[static_cast<std::size_t>(slot + 1)], stars.ring[static_cast<std::size_t>(found)]);
-    std::swap(stars.halfedges[static_cast<std::size_t>(slot + 1)],
-              stars.halfedges[static_cast<std::size_t>(found)]);
+    const auto next = static_cast<std::size_t>(slot) + 1;
+    std::swap(stars.ring[next], stars.ring[static_cast<std::size_t>(found)]);
+    std::swap(stars.halfedges[next], stars.halfedges[static_cast<std::size_t>(found)]);
   }
 }
 

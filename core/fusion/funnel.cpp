@@ -78,7 +78,7 @@ void Funnel::unfold(const TriangleMesh& mesh, const FaceStrip& strip) {
   }
 }
 
-void Funnel::add(Corner corner) {
+void Funnel::add(const Corner& corner) {
   auto& own = chains_[corner.left];
   auto& other = chains_[!corner.left];
   std::size_t& ownHead = heads_[corner.left];

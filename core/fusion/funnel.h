@@ -46,7 +46,7 @@ class Funnel {
   };
 
   void unfold(const TriangleMesh& mesh, const FaceStrip& strip);
-  void add(Corner corner);
+  void add(const Corner& corner);
   [[nodiscard]] EdgePoint crossing(const TriangleMesh& mesh, const Portal& portal, std::size_t k,
                                    const Corner& a, const Corner& b) const;
 

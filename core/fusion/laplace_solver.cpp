@@ -7,8 +7,9 @@
 namespace graftsman {
 namespace {
 
-/// Unknowns up to which a factorisation is as fast as the iteration.
-constexpr std::size_t kDirect = 1000;
+/// Unknowns up to which a factorisation is as fast as the iteration: LDLᵀ, LU.
+constexpr std::size_t kDirectSymmetric = 3000;
+constexpr std::size_t kDirectUnsymmetric = 600;
 
 /// A converging iteration needs 10 to 30 steps; one that has not converged after so many will not.
 constexpr int kMostSteps = 150;
@@ -36,7 +37,9 @@ Both quotient(const Both& a, const Both& b) {
   return {b.x() != 0 ? a.x() / b.x() : 0, b.y() != 0 ? a.y() / b.y() : 0};
 }
 
-void multiply(const SparseRows& a, const Vectors& x, Vectors& out) {
+/// out = A x; returns x · A x.
+Both multiply(const SparseRows& a, const Vectors& x, Vectors& out) {
+  Both product = Both::Zero();
   for (std::size_t r = 0; r < a.rows(); ++r) {
     Point2 sum = a.diagonal[r] * x[r];
     for (auto k = static_cast<std::size_t>(a.offsets[r]); k < static_cast<std::size_t>(a.offsets[r + 1]);
@@ -44,7 +47,9 @@ void multiply(const SparseRows& a, const Vectors& x, Vectors& out) {
       sum += a.values[k] * x[static_cast<std::size_t>(a.columns[k])];
     }
     out[r] = sum;
+    product += sum.array() * x[r].array();
   }
+  return product;
 }
 
 double rootMeanSquare(const Both& squares, std::size_t count) {
@@ -90,8 +95,7 @@ LaplaceSolver::Outcome LaplaceSolver::Iteration::conjugateGradients(Vectors& x, 
     if (!progress.keepGoing(step / 40.0)) {
       return Outcome::Cancelled;
     }
-    multiply(system.matrix, p, q);
-    const Both alpha = quotient(rz, dot(p, q));
+    const Both alpha = quotient(rz, multiply(system.matrix, p, q));
     for (std::size_t i = 0; i < n; ++i) {
       x[i].array() += alpha * p[i].array();
       r[i].array() -= alpha * q[i].array();
@@ -177,14 +181,15 @@ LaplaceSolver::Outcome LaplaceSolver::solve(double tolerance, const Progress& pr
   if (exact_) {
     return Outcome::Exhausted;
   }
-  if (system_.rhs.size() <= kDirect) {
+  const bool isSymmetric = system_.kind == MatrixKind::Symmetric;
+  if (system_.rhs.size() <= (isSymmetric ? kDirectSymmetric : kDirectUnsymmetric)) {
     return factorise(progress);
   }
   if (!iteration_) {
     iteration_ = std::make_unique<Iteration>(system_);
   }
   const double reachable = std::max(tolerance, kRounding);
-  if (system_.kind == MatrixKind::Symmetric) {
+  if (isSymmetric) {
     const Outcome outcome = iteration_->conjugateGradients(solution_, reachable, progress);
     return outcome == Outcome::Failed ? factorise(progress) : outcome;
   }

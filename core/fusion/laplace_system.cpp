@@ -11,7 +11,6 @@ LaplaceSystem laplaceSystem(const Stars& stars, const SlotWeights& weights, std:
   system.rhs.assign(rows, Point2::Zero());
   SparseRows& matrix = system.matrix;
   matrix.offsets.reserve(rows + 1);
-  matrix.middles.reserve(rows);
   matrix.columns.reserve(stars.ring.size());
   matrix.values.reserve(stars.ring.size());
   matrix.diagonal.resize(rows);
@@ -24,19 +23,13 @@ LaplaceSystem laplaceSystem(const Stars& stars, const SlotWeights& weights, std:
       sum += weights[slot];
     }
     const double scale = kind == MatrixKind::Symmetric ? 1 : 1 / sum;
-    const auto own = static_cast<Index>(r);
-    for (const bool upper : {false, true}) {
-      for (std::size_t slot = begin; slot < end; ++slot) {
-        const Index column = stars.ring[slot] - first;
-        if (column >= 0 && (column > own) == upper) {
-          matrix.columns.push_back(column);
-          matrix.values.push_back(-scale * weights[slot]);
-        } else if (column < 0 && upper) {
-          system.rhs[r] += scale * weights[slot] * boundary[static_cast<std::size_t>(column + first)];
-        }
-      }
-      if (!upper) {
-        matrix.middles.push_back(static_cast<Index>(matrix.columns.size()));
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      const Index column = stars.ring[slot] - first;
+      if (column >= 0) {
+        matrix.columns.push_back(column);
+        matrix.values.push_back(-scale * weights[slot]);
+      } else {
+        system.rhs[r] += scale * weights[slot] * boundary[static_cast<std::size_t>(stars.ring[slot])];
       }
     }
     matrix.offsets.push_back(static_cast<Index>(matrix.columns.size()));

@@ -7,11 +7,9 @@
 
 namespace graftsman {
 
-/// A square sparse matrix by rows, its diagonal apart. Within a row the columns below the row's number come
-/// first: those of row r from offsets[r] to middles[r], the others from there to offsets[r + 1].
+/// A square sparse matrix by rows, its diagonal apart.
 struct SparseRows {
   std::vector<Index> offsets;  // N + 1
-  std::vector<Index> middles;  // N
   std::vector<Index> columns;
   std::vector<double> values;
   std::vector<double> diagonal;  // N

@@ -19,8 +19,11 @@ constexpr int kPointsPerInterval = 3;
 // A way round that is longer than the direct path by this factor is not what the person drew: perhaps the
 // other path can give way more cheaply.
 constexpr double kLongWay = 1.25;
-// Attempts that only look for a shorter total; those that look for any solution are up to one a path more.
+// Attempts that only look for a shorter total.
 constexpr int kMostImprovements = 3;
+// While none has succeeded, a path may come to the front so often. On a disk with CVs on its border, the only
+// case where attempts fail although there is a way, that found it in all of a thousand random loops.
+constexpr int kMostPromotions = 4;
 
 using PathPtr = std::shared_ptr<const Path>;
 
@@ -33,7 +36,7 @@ class Router {
   RoutedLoop run() {
     RoutedLoop result = bestAttempt(false);
     if (result.paths.empty() && !progress_.cancelled()) {
-      const RoutedLoop offBorder = bestAttempt(true);
+      RoutedLoop offBorder = bestAttempt(true);
       if (!offBorder.paths.empty()) {
         return offBorder;
       }
@@ -85,7 +88,7 @@ class Router {
 
   RoutedLoop bestAttempt(bool keepOffBorder) {
     std::vector<int> order = settlingOrder(keepOffBorder);
-    std::vector<bool> promoted(order.size(), false);
+    std::vector<int> promotions(order.size(), 0);
     RoutedLoop best;
     RoutedLoop firstFailure;
     double bestTotal = std::numeric_limits<double>::infinity();
@@ -105,10 +108,11 @@ class Router {
       } else if (firstFailure.failed < 0) {
         firstFailure = attempt.loop;
       }
-      if (promote < 0 || promoted[static_cast<std::size_t>(promote)]) {
+      const int most = best.paths.empty() ? kMostPromotions : 1;
+      if (promote < 0 || promotions[static_cast<std::size_t>(promote)] >= most) {
         break;
       }
-      promoted[static_cast<std::size_t>(promote)] = true;
+      ++promotions[static_cast<std::size_t>(promote)];
       const auto at = std::find(order.begin(), order.end(), promote);
       std::rotate(order.begin(), at, at + 1);
     }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/fusion/combined_tile.h"
@@ -31,38 +32,34 @@ double distanceFromSide(double apothem, const Point2& outwards, const Point2& uv
   return std::clamp((apothem - outwards.dot(uv)) / apothem, 0.0, 1.0);
 }
 
-/// seamDistance() of many points.
-class SeamDistance {
- public:
-  explicit SeamDistance(Index sides) : apothem_(std::cos(std::numbers::pi / sides)) {
-    for (Index i = 0; i < sides; ++i) {
-      outwards_.push_back(outward(sides, i));
-    }
+// seamDistance(), by the sides' outward directions.
+template <class Outward>
+double distanceFromSeam(Index sides, double apothem, const Outward& outwards, const Point2& uv) {
+  if (sides > kFewSides) {
+    return distanceFromSide(apothem, outwards(sectorOf(sides, uv)), uv);
   }
-
-  double operator()(const Point2& uv) const {
-    const auto sides = static_cast<Index>(outwards_.size());
-    if (sides > kFewSides) {
-      return distanceFromSide(apothem_, outwards_[static_cast<std::size_t>(sectorOf(sides, uv))], uv);
-    }
-    double s = 1;
-    for (const Point2& outwards : outwards_) {
-      s = std::min(s, distanceFromSide(apothem_, outwards, uv));
-    }
-    return s;
+  double s = 1;
+  for (Index i = 0; i < sides; ++i) {
+    s = std::min(s, distanceFromSide(apothem, outwards(i), uv));
   }
+  return s;
+}
 
- private:
-  double apothem_;
-  std::vector<Point2> outwards_;
-};
+double apothemOf(Index sides) {
+  return std::cos(std::numbers::pi / sides);
+}
 
 void fillSeamDistances(Index sides, CombinedTile& combined) {
-  const SeamDistance distance(sides);
+  std::vector<Point2> outwards;
+  for (Index i = 0; i < sides; ++i) {
+    outwards.push_back(outward(sides, i));
+  }
+  const auto outwardsOf = [&](Index i) -> const Point2& { return outwards[static_cast<std::size_t>(i)]; };
+  const double apothem = apothemOf(sides);
   combined.s.assign(combined.uv.size(), 0);
   parallelRanges(combined.uv.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = std::max(begin, static_cast<std::size_t>(combined.seamSize)); v < end; ++v) {
-      combined.s[v] = distance(combined.uv[v]);
+      combined.s[v] = distanceFromSeam(sides, apothem, outwardsOf, combined.uv[v]);
     }
   });
 }
@@ -70,7 +67,8 @@ void fillSeamDistances(Index sides, CombinedTile& combined) {
 }  // namespace
 
 double seamDistance(Index sides, const Point2& uv) {
-  return SeamDistance(sides)(uv);
+  return distanceFromSeam(
+      sides, apothemOf(sides), [&](Index i) { return outward(sides, i); }, uv);
 }
 
 Result<CombinedTile> overlay(const EmbeddedTile& part, const EmbeddedTile& base, const Progress& progress) {

@@ -1,14 +1,19 @@
 #include "core/fusion/overlay_cells.h"
 
+#include <algorithm>
 #include <array>
-#include <cassert>
+#include <atomic>
+#include <cstdint>
+#include <span>
 
+#include "core/base/parallel.h"
 #include "core/fusion/cell_triangulation.h"
 
 namespace graftsman::overlay_detail {
 namespace {
 
-constexpr Index kProgressStride = 512;  // base faces between two looks at the clock
+constexpr std::size_t kProgressStride = 512;  // base faces between two looks at the clock
+constexpr std::size_t kGrain = 8192;          // base faces that a thread takes at a time
 
 /// A piece of an edge of either layer, directed.
 struct Piece {
@@ -24,32 +29,55 @@ struct Piece {
   [[nodiscard]] Index halfedge() const { return start; }
 };
 
+/// What the walks have passed. Bytes, because threads that have different base faces write at once.
+struct Seen {
+  std::vector<std::uint8_t> halfedges;  // of the base: pieces that start at their start
+  std::vector<std::uint8_t> crossings;  // two a crossing: pieces of the base that start there
+  std::vector<std::uint8_t> partFaces;
+
+  Seen(const Layers& layers, const Trace& trace)
+      : halfedges(static_cast<std::size_t>(layers.base.halfedgeCount()), 0),
+        crossings(2 * trace.crossings.size(), 0),
+        partFaces(static_cast<std::size_t>(layers.part.faceCount()), 0) {}
+};
+
+/// Faces of the combined tile, and which faces of the embeddings each lies in.
+struct CellFaces {
+  std::vector<Face> faces;
+  std::vector<Index> partFaces;
+  std::vector<Index> baseFaces;
+
+  void reserve(std::size_t count) {
+    faces.reserve(count);
+    partFaces.reserve(count);
+    baseFaces.reserve(count);
+  }
+  void append(const CellFaces& other) {
+    faces.insert(faces.end(), other.faces.begin(), other.faces.end());
+    partFaces.insert(partFaces.end(), other.partFaces.begin(), other.partFaces.end());
+    baseFaces.insert(baseFaces.end(), other.baseFaces.begin(), other.baseFaces.end());
+  }
+};
+
 /// Walks round the cells, interior on the left.
 class CellWalker {
  public:
-  CellWalker(const Layers& layers, const Trace& trace, const VertexNumbers& numbers, CombinedTile& combined)
-      : layers_(layers),
-        part_(layers.part),
+  CellWalker(const Layers& layers, const Trace& trace, const VertexNumbers& numbers,
+             const CombinedTile& combined, Seen& seen, CellFaces& out)
+      : part_(layers.part),
         base_(layers.base),
         trace_(trace),
         numbers_(numbers),
         combined_(combined),
-        seenHalfedges_(static_cast<std::size_t>(base_.halfedgeCount()), false),
-        seenCrossings_(2 * trace.crossings.size(), false),
-        seenPartFaces_(static_cast<std::size_t>(part_.faceCount()), false) {
-    // A disk of V vertices, S of them on its border, has 2 V − S − 2 triangles.
-    faceCount_ = 2 * static_cast<std::size_t>(numbers.count) - static_cast<std::size_t>(base_.seamSize()) - 2;
-    combined_.faces.reserve(faceCount_);
-    combined_.partFaces.reserve(faceCount_);
-    combined_.baseFaces.reserve(faceCount_);
-  }
+        seen_(seen),
+        out_(out) {}
 
   /// The cells of one base face that have some of its edges. False: the layers do not fit.
   bool walkBaseFace(Index face) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       Piece piece = Piece::atVertex(h, false);
       for (;;) {
-        if (!seen(piece) && !walkCell(piece, face)) {
+        if (seenOf(piece) == 0 && !walkCell(piece, face)) {
           return false;
         }
         const Index end = endOf(piece);
@@ -65,7 +93,7 @@ class CellWalker {
   /// The part's faces that lie inside one base face.
   void addWholePartFaces() {
     for (Index f = 0; f < part_.faceCount(); ++f) {
-      if (seenPartFaces_[static_cast<std::size_t>(f)]) {
+      if (seen_.partFaces[static_cast<std::size_t>(f)] != 0) {
         continue;
       }
       Index baseFace = -1;
@@ -78,26 +106,15 @@ class CellWalker {
     }
   }
 
-  [[nodiscard]] bool isComplete() const { return combined_.faces.size() == faceCount_; }
-
  private:
   [[nodiscard]] const Crossing& at(Index c) const { return trace_.crossings[static_cast<std::size_t>(c)]; }
 
-  [[nodiscard]] static std::size_t slot(const Piece& piece) {
-    return 2 * static_cast<std::size_t>(piece.crossing()) + (piece.forward ? 1 : 0);
-  }
-
-  [[nodiscard]] bool seen(const Piece& piece) const {
-    return piece.startsAtCrossing() ? seenCrossings_[slot(piece)]
-                                    : seenHalfedges_[static_cast<std::size_t>(piece.halfedge())];
-  }
-
-  void setSeen(const Piece& piece) {
-    if (piece.startsAtCrossing()) {
-      seenCrossings_[slot(piece)] = true;
-    } else {
-      seenHalfedges_[static_cast<std::size_t>(piece.halfedge())] = true;
+  // Whether a piece of the base was passed. Each belongs to one base face, so that no two threads meet here.
+  [[nodiscard]] std::uint8_t& seenOf(const Piece& piece) {
+    if (!piece.startsAtCrossing()) {
+      return seen_.halfedges[static_cast<std::size_t>(piece.halfedge())];
     }
+    return seen_.crossings[2 * static_cast<std::size_t>(piece.crossing()) + (piece.forward ? 1 : 0)];
   }
 
   // The crossing at which the piece ends, or −1 if it ends at a vertex.
@@ -182,7 +199,7 @@ class CellWalker {
       }
       corners_.push_back(startVertex(piece));
       if (!piece.ofPart) {
-        setSeen(piece);
+        seenOf(piece) = 1;
       }
       if (partFace < 0) {
         partFace = partFaceBeside(piece);
@@ -193,7 +210,7 @@ class CellWalker {
       const Index v = base_.faces[static_cast<std::size_t>(baseFace)][k];
       partFace = trace_.baseInPart[static_cast<std::size_t>(v)];
     }
-    seenPartFaces_[static_cast<std::size_t>(partFace)] = true;
+    std::atomic_ref(seen_.partFaces[static_cast<std::size_t>(partFace)]).store(1, std::memory_order_relaxed);
     addCell(partFace, baseFace);
     return true;
   }
@@ -224,43 +241,68 @@ class CellWalker {
     if (count < 3) {
       return;
     }
-    triangulateCell(std::span(distinct).first(count), combined_.part, combined_.base, combined_.faces);
-    combined_.partFaces.resize(combined_.faces.size(), part_.origins[static_cast<std::size_t>(partFace)]);
-    combined_.baseFaces.resize(combined_.faces.size(), base_.origins[static_cast<std::size_t>(baseFace)]);
+    triangulateCell(std::span(distinct).first(count), combined_.part, combined_.base, out_.faces);
+    out_.partFaces.resize(out_.faces.size(), part_.origins[static_cast<std::size_t>(partFace)]);
+    out_.baseFaces.resize(out_.faces.size(), base_.origins[static_cast<std::size_t>(baseFace)]);
   }
 
-  const Layers& layers_;
   const Layer& part_;
   const Layer& base_;
   const Trace& trace_;
   const VertexNumbers& numbers_;
-  CombinedTile& combined_;
-  std::vector<bool> seenHalfedges_;  // of the base: pieces that start at their start
-  std::vector<bool> seenCrossings_;  // two a crossing: pieces of the base that start there
-  std::vector<bool> seenPartFaces_;
+  const CombinedTile& combined_;
+  Seen& seen_;
+  CellFaces& out_;
   std::vector<Index> corners_;
-  std::size_t faceCount_ = 0;
 };
 
 }  // namespace
 
 Result<void> fillCells(const Layers& layers, const Trace& trace, const VertexNumbers& numbers,
                        CombinedTile& combined, const Progress& progress) {
-  CellWalker walker(layers, trace, numbers, combined);
-  bool fits = true;
-  for (Index f = 0; f < layers.base.faceCount() && fits; ++f) {
-    if (f % kProgressStride == 0 &&
-        !progress.keepGoing(static_cast<double>(f) / static_cast<double>(layers.base.faceCount()))) {
-      return fail(ErrorCode::Cancelled, "Cancelled.");
+  // A disk of V vertices, S of them on its border, has 2 V − S − 2 triangles.
+  const auto faceCount =
+      2 * static_cast<std::size_t>(numbers.count) - static_cast<std::size_t>(layers.base.seamSize()) - 2;
+  const auto baseFaces = static_cast<std::size_t>(layers.base.faceCount());
+  // The order of the faces is the same whatever the ranges.
+  const std::size_t grain = threadCount() > 1 ? kGrain : baseFaces;
+  std::vector<CellFaces> ranges((baseFaces + grain - 1) / grain);
+  Seen seen(layers, trace);
+  std::atomic<bool> fits = true;
+  std::atomic<std::size_t> done = 0;
+  ranges[0].reserve(ranges.size() == 1 ? faceCount : 0);
+  parallelRanges(baseFaces, grain, [&](std::size_t begin, std::size_t end) {
+    CellWalker walker(layers, trace, numbers, combined, seen, ranges[begin / grain]);
+    for (std::size_t f = begin; f < end && fits; ++f) {
+      if (f % kProgressStride == 0 && !progress.keepGoing(static_cast<double>(done += kProgressStride) /
+                                                          static_cast<double>(baseFaces))) {
+        return;
+      }
+      if (!walker.walkBaseFace(static_cast<Index>(f))) {
+        fits = false;
+      }
     }
-    fits = walker.walkBaseFace(f);
+  });
+  if (progress.cancelled()) {
+    return fail(ErrorCode::Cancelled, "Cancelled.");
+  }
+  CellFaces all = std::move(ranges[0]);
+  if (ranges.size() > 1) {
+    all.reserve(faceCount);
+    for (std::size_t i = 1; i < ranges.size(); ++i) {
+      all.append(ranges[i]);
+      ranges[i] = {};
+    }
   }
   if (fits) {
-    walker.addWholePartFaces();
+    CellWalker(layers, trace, numbers, combined, seen, all).addWholePartFaces();
   }
-  if (!fits || !walker.isComplete()) {
+  if (!fits || all.faces.size() != faceCount) {
     return fail(tooFine());
   }
+  combined.faces = std::move(all.faces);
+  combined.partFaces = std::move(all.partFaces);
+  combined.baseFaces = std::move(all.baseFaces);
   return {};
 }
 

@@ -186,6 +186,30 @@ class Tracer {
   bool leftOnLine_ = false;
 };
 
+// Puts the crossings into the order of the base's halfedges. The walk left them in rings from the seam
+// inwards; the base's own order keeps near together what the steps after this one use together.
+void orderByBase(const Layer& base, Trace& trace) {
+  std::vector<Crossing> ordered;
+  ordered.reserve(trace.crossings.size());
+  for (Index h = 0; h < base.halfedgeCount(); ++h) {
+    const Index twin = base.twin(h);
+    const Index first = trace.firstOnBase[static_cast<std::size_t>(h)];
+    if (h > twin || first < 0) {
+      continue;
+    }
+    const auto begin = static_cast<Index>(ordered.size());
+    const bool traced = trace.crossings[static_cast<std::size_t>(first)].base == h;
+    const Index last = trace.firstOnBase[static_cast<std::size_t>(twin)];
+    for (Index c = std::min(first, last); c <= std::max(first, last); ++c) {
+      ordered.push_back(trace.crossings[static_cast<std::size_t>(c)]);
+    }
+    const auto end = static_cast<Index>(ordered.size()) - 1;
+    trace.firstOnBase[static_cast<std::size_t>(h)] = traced ? begin : end;
+    trace.firstOnBase[static_cast<std::size_t>(twin)] = traced ? end : begin;
+  }
+  trace.crossings = std::move(ordered);
+}
+
 }  // namespace
 
 Error tooFine() {
@@ -204,6 +228,7 @@ Result<Trace> traceBase(const Layers& layers, const Progress& progress) {
   if (auto traced = tracer.traceInterior(progress.span(0, 0.8)); !traced) {
     return fail(traced.error());
   }
+  orderByBase(layers.base, trace);
   if (!progress.keepGoing(0.8)) {
     return fail(ErrorCode::Cancelled, "Cancelled.");
   }

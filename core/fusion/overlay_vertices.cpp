@@ -90,7 +90,8 @@ VertexNumbers numberVertices(const Layers& layers, Trace& trace) {
     } else if (crossing.vertex < base.vertexCount()) {
       noteOnEdge(numbers.baseOnPart[static_cast<std::size_t>(crossing.vertex)], crossing.part);
     } else {
-      const auto w = static_cast<std::size_t>(crossing.vertex - base.vertexCount() + seam);
+      const auto w =
+          static_cast<std::size_t>(crossing.vertex) - static_cast<std::size_t>(base.vertexCount() - seam);
       noteOnEdge(numbers.partOnBase[w], crossing.base);
       crossing.vertex = numbers.ofPart[w];
     }

@@ -151,35 +151,33 @@ void locatePartVertices(const Layers& layers, Trace& trace) {
   const ChainSorter chains(layers, trace.crossings);
   std::vector<Index>& located = trace.partInBase;
   located.assign(static_cast<std::size_t>(part.vertexCount()), -1);
-  std::vector<Index> outgoing(static_cast<std::size_t>(part.vertexCount()), -1);
-  std::vector<Index> stack;
-  const auto locate = [&](Index v, Index face) {
-    if (v >= seam && located[static_cast<std::size_t>(v)] < 0) {
-      located[static_cast<std::size_t>(v)] = face;
-      stack.push_back(v);
+  std::vector<Index> leaving;  // halfedges that leave located vertices which may have others hanging on them
+  const auto locate = [&](Index h, Index face) {
+    if (part.from(h) >= seam && located[static_cast<std::size_t>(part.from(h))] < 0) {
+      located[static_cast<std::size_t>(part.from(h))] = face;
+      leaving.push_back(h);
     }
   };
   for (Index h = 0; h < part.halfedgeCount(); ++h) {
-    outgoing[static_cast<std::size_t>(part.from(h))] = h;
     const Index first = trace.firstOnPart[static_cast<std::size_t>(h)];
-    if (first >= 0) {
-      locate(part.from(h), chains.before(first, h));
+    if (first >= 0 && located[static_cast<std::size_t>(part.from(h))] < 0) {
+      locate(h, chains.before(first, h));
     }
   }
   for (const SeamFans::Spoke& spoke : trace.fans.spokes) {
     if (spoke.ofPart && trace.firstOnPart[static_cast<std::size_t>(spoke.halfedge)] < 0) {
-      locate(part.to(spoke.halfedge), spoke.beside / 3);
+      locate(part.twin(spoke.halfedge), spoke.beside / 3);
     }
   }
   // Whoever is left hangs on these by edges without a crossing, hence lies in the same face.
-  while (!stack.empty()) {
-    const Index v = stack.back();
-    stack.pop_back();
-    const Index start = outgoing[static_cast<std::size_t>(v)];
+  while (!leaving.empty()) {
+    const Index start = leaving.back();
+    leaving.pop_back();
     Index h = start;
     do {
+      const Index back = part.twin(h);
       if (trace.firstOnPart[static_cast<std::size_t>(h)] < 0) {
-        locate(part.to(h), located[static_cast<std::size_t>(v)]);
+        locate(back, located[static_cast<std::size_t>(part.from(h))]);
       }
       h = part.twin(Layer::prev(h));
     } while (h != start);

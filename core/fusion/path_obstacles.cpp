@@ -113,9 +113,10 @@ bool PathObstacles::touches(Index h) const {
 }
 
 bool PathObstacles::permits(const EdgePoint& a, const EdgePoint& b) const {
-  const auto [edge, face] = sharedPlace(*mesh_, a, b);
+  const SharedPlace place = sharedPlace(*mesh_, a, b);
+  const Index edge = place.edge;
   if (edge < 0) {
-    return face >= 0 && permitsIn(face, a, b);
+    return place.face >= 0 && permitsIn(place.face, a, b);
   }
   const EdgeMarks* m = marks(edge);
   if (!m) {

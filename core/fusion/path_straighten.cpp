@@ -31,7 +31,7 @@ class Straightener {
   Straightener(const TriangleMesh& mesh, const PathObstacles& obstacles)
       : mesh_(mesh), obstacles_(obstacles) {}
 
-  std::vector<EdgePoint> run(std::vector<EdgePoint> best) {
+  std::vector<EdgePoint> run(std::vector<EdgePoint> best, double worth) {
     double length = polylineLength(mesh_, best);
     FaceStrip strip = stripAlong(mesh_, obstacles_, best);
     const std::size_t rounds = kLeastRounds + kRoundsPerPoint * best.size();
@@ -41,11 +41,15 @@ class Straightener {
       }
       funnel_.solve(mesh_, strip);
       const double found = funnelLength();
-      if (round > 0 && !(found < length * (1 - kSmallestGain))) {
+      const bool settled = round > 0 && !(found < length * (1 - std::max(worth, kSmallestGain)));
+      if (round > 0 && !(found < length)) {
         break;
       }
       length = found;
       solved_ = strip;
+      if (settled) {
+        break;
+      }
       if (!roundBends(strip)) {
         break;
       }
@@ -167,10 +171,10 @@ class Straightener {
 }  // namespace
 
 std::vector<EdgePoint> straightened(const TriangleMesh& mesh, const PathObstacles& obstacles,
-                                    std::vector<EdgePoint> points) {
+                                    std::vector<EdgePoint> points, double worth) {
   // A loop that went made the path shorter, so this ends by itself but for rounding.
   for (int attempt = 0; attempt < kMostLoopRemovals; ++attempt) {
-    points = withoutDetours(obstacles, Straightener(mesh, obstacles).run(std::move(points)));
+    points = withoutDetours(obstacles, Straightener(mesh, obstacles).run(std::move(points), worth));
     if (!removeLoops(mesh, points)) {
       break;
     }

@@ -14,9 +14,10 @@ namespace graftsman {
 /// The strip of faces along the path is unfolded in the plane, a funnel finds the shortest way in it, and
 /// where that bends round a vertex with less than π on the other side, the strip is led round there; again
 /// until nothing is gained. Each round is strictly shorter, and their number is bounded.
-/// Precondition: `points` has no detours; each point but the ends is free. Source: Xin & Wang 2007; Lee &
-/// Preparata 1984.
+/// A round that gains less than the part `worth` of the length is the last: 0 for all, more for a quick
+/// bound. Precondition: `points` has no detours; each point but the ends is free. Source: Xin & Wang 2007;
+/// Lee & Preparata 1984.
 [[nodiscard]] std::vector<EdgePoint> straightened(const TriangleMesh& mesh, const PathObstacles& obstacles,
-                                                  std::vector<EdgePoint> points);
+                                                  std::vector<EdgePoint> points, double worth = 0);
 
 }  // namespace graftsman

@@ -9,10 +9,12 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/fusion/edge_graph_search.h"
 #include "core/fusion/loop_router.h"
 #include "core/fusion/path_obstacles.h"
 #include "core/fusion/path_straighten.h"
 #include "core/fusion/wavefront.h"
+#include "core/fusion/window_search.h"
 
 namespace graftsman {
 namespace {
@@ -21,6 +23,20 @@ using PathPtr = std::shared_ptr<const Path>;
 
 // The share of the work that the direct paths are; the rest is leading them round each other.
 constexpr double kDirectShare = 0.7;
+// The bound need not be straightened further once a round gains less than this part.
+constexpr double kRoughRounds = 2e-3;
+// What is longer than the best by no more than this part may still become shorter when straightened to the
+// end.
+constexpr double kHopeful = 0.01;
+// So coarse a mesh shapes the wavefront with its few triangles; the exact search is as good as free there.
+constexpr Index kFewVertices = 1500;
+// The exact search gives up after so many windows: about a second. A search that finds its goal needs fewer
+// than ten a vertex on the sample models.
+constexpr std::size_t kWindowsPerVertex = 16;
+constexpr std::size_t kLeastWindows = 50'000;
+constexpr std::size_t kMostWindows = 2'000'000;
+// It looks only for paths that are shorter by this part, a tenth of what the wavefront is trusted for.
+constexpr double kWorthWindows = 1e-4;
 
 tl::unexpected<Error> cancelled() {
   return fail(ErrorCode::Cancelled, "The search for the paths was cancelled.");
@@ -35,23 +51,61 @@ bool neighbours(const TriangleMesh& mesh, Index a, Index b) {
   return mesh.halfedgeBetween(a, b) >= 0 || mesh.halfedgeBetween(b, a) >= 0;
 }
 
-PathPtr straightenedPath(const TriangleMesh& mesh, PathObstacles& obstacles, Index from, Index to,
-                         const Progress& progress) {
-  std::vector<EdgePoint> best;
-  double length = std::numeric_limits<double>::infinity();
-  for (const auto& way : waysByWavefront(mesh, from, to, progress)) {
-    auto points = straightened(mesh, obstacles, withoutDetours(obstacles, way));
-    const double found = polylineLength(mesh, points);
-    if (found < length) {
-      length = found;
-      best = std::move(points);
+// Keeps the shortest of the ways, each straightened.
+class BestPath {
+ public:
+  BestPath(const TriangleMesh& mesh, const PathObstacles& obstacles) : mesh_(mesh), obstacles_(obstacles) {}
+
+  void offer(const std::vector<EdgePoint>& way) {
+    auto points = straightened(mesh_, obstacles_, withoutDetours(obstacles_, way));
+    const double length = polylineLength(mesh_, points);
+    if (length < length_) {
+      length_ = length;
+      points_ = std::move(points);
     }
   }
-  if (!best.empty()) {
-    return makePath(mesh, std::move(best));
+
+  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] PathPtr path() const { return std::make_shared<Path>(Path{points_, length_}); }
+
+ private:
+  const TriangleMesh& mesh_;
+  const PathObstacles& obstacles_;
+  std::vector<EdgePoint> points_;
+  double length_ = std::numeric_limits<double>::infinity();
+};
+
+// A quick way gives a bound, within it the wavefront finds ways that may be the shortest, and where that is
+// not to be trusted, windows find the shortest itself.
+PathPtr straightenedPath(const TriangleMesh& mesh, PathObstacles& obstacles, Index from, Index to,
+                         const Progress& progress) {
+  BestPath best(mesh, obstacles);
+  const auto quick = quickWayAlongEdges(mesh, from, to, progress.span(0, 0.2));
+  if (progress.cancelled()) {
+    return nullptr;
   }
-  return progress.cancelled() ? nullptr
-                              : pathAround(mesh, obstacles, from, to, PathMode::Straightened, progress);
+  if (quick.empty()) {
+    return pathAround(mesh, obstacles, from, to, PathMode::Straightened, progress);
+  }
+  const auto rough = straightened(mesh, obstacles, withoutDetours(obstacles, quick), kRoughRounds);
+  const double bound = polylineLength(mesh, rough);
+  const auto found = waysByWavefront(mesh, from, to, bound, progress.span(0.2, 0.7));
+  for (const auto& way : found.ways) {
+    best.offer(way);
+  }
+  if (bound < best.length() * (1 + kHopeful)) {
+    best.offer(rough);
+  }
+  if (found.elongated || mesh.vertexCount() <= kFewVertices) {
+    const std::size_t budget = std::clamp(kWindowsPerVertex * static_cast<std::size_t>(mesh.vertexCount()),
+                                          kLeastWindows, kMostWindows);
+    const auto way =
+        shortestByWindows(mesh, from, to, best.length() * (1 - kWorthWindows), budget, progress.span(0.7, 1));
+    if (!way.empty()) {
+      best.offer(way);
+    }
+  }
+  return progress.cancelled() ? nullptr : best.path();
 }
 
 std::string arrow(std::size_t i, std::size_t n) {

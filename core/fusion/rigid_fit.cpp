@@ -75,7 +75,7 @@ Eigen::Matrix3d bestRotation(std::span<const Point> from, std::span<const Point>
   if (svd.info() != Eigen::Success) {  // not finite
     return Eigen::Matrix3d::Identity();
   }
-  const Eigen::Vector3d singular = svd.singularValues();
+  const Eigen::Vector3d& singular = svd.singularValues();
   const Eigen::Matrix3d& u = svd.matrixU();
   const Eigen::Matrix3d& v = svd.matrixV();
   if (singular[0] <= kUnrelated * static_cast<double>(from.size())) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/fusion/halfedge_twins.h"
@@ -168,6 +169,9 @@ class ApexRepair {
   /// counter-clockwise. False: found no such position.
   bool mend(Index h) {
     const Index apex = layer_.from(Layer::prev(h));
+    if (apex < layer_.seamSize()) {
+      return false;
+    }
     Point2& position = layer_.uv[static_cast<std::size_t>(apex)];
     const Point2 old = position;
     gatherStar(Layer::prev(h));

@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <numbers>
 
 namespace graftsman {
@@ -141,8 +143,9 @@ Index countChanged(const FusionResults& results) {
     if (original >= base.vertexCount() || onSeam[v]) {
       continue;
     }
-    const bool equal =
-        std::memcmp(base.point(original).data(), results.fused->points[v].data(), 3 * sizeof(double)) == 0;
+    using Bits = std::array<std::uint64_t, 3>;
+    const auto bits = [](const Point& p) { return std::bit_cast<Bits>(std::array{p.x(), p.y(), p.z()}); };
+    const bool equal = bits(base.point(original)) == bits(results.fused->points[v]);
     changed += equal ? 0 : 1;
   }
   return changed;

@@ -21,6 +21,10 @@ constexpr std::size_t kMostWays = 6;
 // long.
 constexpr double kSmallestCorrection = 1e-7;
 constexpr int kProgressInterval = 1024;
+// A vertex is among long and thin triangles if its longest edge is so many times its shortest; models for
+// animation and scans have a few percent of such vertices, tessellated solids nearly nothing else.
+constexpr double kElongated = 8;
+constexpr double kManyElongated = 0.2;
 // A ray that passes a vertex closer than this part of the edge goes through it: closer than its own error.
 constexpr double kNearVertex = 1e-3;
 // A ray ends at the vertex of a face from where the rest is longer by at most this part, which is rounding.
@@ -48,8 +52,11 @@ Unfolded unfoldSource(double base, double da, double db) {
 
 class Front {
  public:
-  Front(const TriangleMesh& mesh, Index source)
-      : mesh_(mesh), nodes_(static_cast<std::size_t>(mesh.vertexCount())) {
+  Front(const TriangleMesh& mesh, Index source, Index goal, double bound)
+      : mesh_(mesh),
+        goal_(mesh.point(goal)),
+        bound_(bound),
+        nodes_(static_cast<std::size_t>(mesh.vertexCount())) {
     nodes_[source] = {0, source, 1};
     heap_.push(0, source);
   }
@@ -69,26 +76,32 @@ class Front {
     const Index v = heap_.pop().value;
     nodes_[v].state = 2;
     gatherSpokes(v);
-    for (std::size_t k = 0; k < spokes_.size(); ++k) {
+    countElongated();
+    const double distance = nodes_[v].distance;
+    const std::size_t size = spokes_.size();
+    for (std::size_t k = 0; k < size; ++k) {
       const Spoke& target = spokes_[k];
-      const Node& node = nodes_[target.vertex];
-      if (mesh_.singular(target.vertex)) {
-        continue;
-      }
-      const bool behind = node.state != 0 && node.distance <= nodes_[v].distance;
-      Update best{behind ? node.distance : nodes_[v].distance + std::sqrt(target.squaredLength), v};
-      const Spoke* after = k + 1 < spokes_.size() ? &spokes_[k + 1] : closed_ ? &spokes_.front() : nullptr;
+      const Spoke* after = k + 1 < size ? &spokes_[k + 1] : closed_ ? &spokes_.front() : nullptr;
       const Spoke* before = k > 0 ? &spokes_[k - 1] : closed_ ? &spokes_.back() : nullptr;
-      if (after && nodes_[after->vertex].state == 2) {
-        through(v, *after, target, TriangleMesh::prev(target.h), best);
+      Update best{target.node.distance, v};
+      if (target.node.state == 0 || distance < best.distance) {
+        best.distance = distance + std::sqrt(target.squaredLength);
       }
-      if (before && nodes_[before->vertex].state == 2) {
-        through(v, *before, target, before->h, best);
+      if (after && mayCross(*after, target)) {
+        through(distance, *after, target, TriangleMesh::prev(target.h), best);
       }
-      lower(target.vertex, best);
+      if (before && mayCross(*before, target)) {
+        through(distance, *before, target, before->h, best);
+      }
+      if (target.node.state == 0 || best.distance < target.node.distance) {
+        lower(target.vertex, best);
+      }
     }
     return v;
   }
+
+  [[nodiscard]] long settledCount() const { return settled_; }
+  [[nodiscard]] long elongatedCount() const { return elongated_; }
 
   // The way from v back to the source, along the rays that its distance came by.
   [[nodiscard]] std::vector<EdgePoint> wayFrom(Index v) const {
@@ -116,6 +129,7 @@ class Front {
   struct Spoke {
     Index h;  // from the fan's centre to `vertex`, or back if the last of an open fan
     Index vertex;
+    Node node;
     Point vector;
     double squaredLength;
   };
@@ -124,12 +138,23 @@ class Front {
     Index via;
   };
 
+  void countElongated() {
+    double least = spokes_.front().squaredLength;
+    double greatest = least;
+    for (const Spoke& spoke : spokes_) {
+      least = std::min(least, spoke.squaredLength);
+      greatest = std::max(greatest, spoke.squaredLength);
+    }
+    ++settled_;
+    elongated_ += greatest > kElongated * kElongated * least ? 1 : 0;
+  }
+
   void gatherSpokes(Index v) {
     spokes_.clear();
     const Point& origin = mesh_.point(v);
     const auto add = [&](Index h, Index w) {
       const Point vector = mesh_.point(w) - origin;
-      spokes_.push_back({h, w, vector, vector.squaredNorm()});
+      spokes_.push_back({h, w, nodes_[w], vector, vector.squaredNorm()});
     };
     const Index first = mesh_.outgoing(v);
     Index h = first;
@@ -146,24 +171,32 @@ class Front {
 
   void lower(Index v, const Update& update) {
     Node& node = nodes_[v];
+    if (mesh_.singular(v)) {
+      return;
+    }
     if (node.state != 0 && !(update.distance < node.distance * (1 - kSmallestCorrection))) {
+      return;
+    }
+    if (node.state == 0 && update.distance + (mesh_.point(v) - goal_).norm() > bound_) {
       return;
     }
     node = {update.distance, update.via, 1};
     heap_.push(update.distance, v);
   }
 
-  // The distance of c by the ray through the edge from a to b, settled both, of the halfedge h opposite c:
-  // their distances put the source in the plane of the triangle, on the other side of the edge.
-  void through(Index a, const Spoke& b, const Spoke& c, Index h, Update& best) const {
-    // A front reaches a settled corner late through the opposite edge only if the corner is obtuse.
+  // Whether the ray to c may come through the edge to b: a front reaches a settled corner late through the
+  // opposite edge only if the corner is obtuse.
+  static bool mayCross(const Spoke& b, const Spoke& c) {
+    return b.node.state == 2 && (c.node.state != 2 || c.squaredLength < b.vector.dot(c.vector));
+  }
+
+  // The distance of c by the ray through the edge from a, the vertex just settled, to b, settled, too; h is
+  // its halfedge opposite c: their distances put the source in the plane of the triangle, on the edge's other
+  // side.
+  static void through(double da, const Spoke& b, const Spoke& c, Index h, Update& best) {
     const double along = b.vector.dot(c.vector);
-    if (nodes_[c.vertex].state == 2 && c.squaredLength >= along) {
-      return;
-    }
     const double base = std::sqrt(b.squaredLength);
-    const double da = nodes_[a].distance;
-    const double db = nodes_[b.vertex].distance;
+    const double db = b.node.distance;
     const Unfolded s = unfoldSource(base, da, db);
     const double cx = along / base;
     const double cy2 = c.squaredLength - cx * cx;
@@ -237,22 +270,27 @@ class Front {
   }
 
   const TriangleMesh& mesh_;
+  Point goal_;
+  double bound_;
   ZeroedArray<Node> nodes_;
   MinHeap heap_;
+  long settled_ = 0;
+  long elongated_ = 0;         // of these, how many have edges of very different length
   std::vector<Spoke> spokes_;  // of the vertex just settled
   bool closed_ = false;        // whether they go all the way round
 };
 
 class Meeting {
  public:
-  Meeting(const TriangleMesh& mesh, Index from, Index to) : mesh_(mesh), fronts_{{mesh, from}, {mesh, to}} {}
+  Meeting(const TriangleMesh& mesh, Index from, Index to, double bound)
+      : mesh_(mesh), fronts_{{mesh, from, to, bound}, {mesh, to, from, bound}}, bound_(bound) {}
 
   bool run(const Progress& progress) {
     int settled = 0;
     for (;;) {
       const double r0 = fronts_[0].radius();
       const double r1 = fronts_[1].radius();
-      if (!(r0 + r1 < best_ * (1 + kSpread))) {
+      if (!(r0 + r1 < std::min(bound_, best_ * (1 + kSpread)))) {
         return true;  // also where both are infinite
       }
       Front& front = fronts_[r0 <= r1 ? 0 : 1];
@@ -266,6 +304,12 @@ class Meeting {
         return false;
       }
     }
+  }
+
+  bool elongated() const {
+    const auto settled = static_cast<double>(fronts_[0].settledCount() + fronts_[1].settledCount());
+    const auto count = static_cast<double>(fronts_[0].elongatedCount() + fronts_[1].elongatedCount());
+    return count > kManyElongated * settled;
   }
 
   std::vector<std::vector<EdgePoint>> ways() {
@@ -332,18 +376,19 @@ class Meeting {
   const TriangleMesh& mesh_;
   Front fronts_[2];
   std::vector<Index> met_;
+  double bound_;
   double best_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
 
-std::vector<std::vector<EdgePoint>> waysByWavefront(const TriangleMesh& mesh, Index from, Index to,
-                                                    const Progress& progress) {
-  Meeting meeting(mesh, from, to);
+WavefrontWays waysByWavefront(const TriangleMesh& mesh, Index from, Index to, double bound,
+                              const Progress& progress) {
+  Meeting meeting(mesh, from, to, bound * (1 + kSpread));
   if (!meeting.run(progress)) {
     return {};
   }
-  return meeting.ways();
+  return {meeting.ways(), meeting.elongated()};
 }
 
 }  // namespace graftsman

@@ -23,6 +23,8 @@ constexpr double kGrazing = 1e-10;
 constexpr double kNarrowest = 1e-12;
 // A vertex with more than this over 2π is a saddle, round which shortest ways bend; less is rounding.
 constexpr double kSaddle = 1e-9;
+// Ways that graze a singular vertex are led by it at this part of the edge.
+constexpr double kOffSingular = 1e-3;
 constexpr std::size_t kProgressInterval = 1024;
 
 // Seen from inside the face of h, which it is about to enter: the edge runs from the origin along x, the face
@@ -48,6 +50,7 @@ class WindowSearch {
       : mesh_(mesh),
         to_(to),
         goal_(mesh.point(to)),
+        given_(bound),
         bound_(bound),
         budget_(budget),
         labels_(static_cast<std::size_t>(mesh.vertexCount())) {
@@ -69,7 +72,7 @@ class WindowSearch {
         return {};
       }
     }
-    return labels_[to_].known ? way() : std::vector<EdgePoint>();
+    return distance(to_) < given_ ? way() : std::vector<EdgePoint>();
   }
 
  private:
@@ -187,7 +190,8 @@ class WindowSearch {
     }
     // Where the ray to the apex passes the edge.
     const double passing = w.source.x() - (apex.x() - w.source.x()) * w.source.y() / rise;
-    if (w.b0 < passing && passing < w.b1) {
+    const double slack = kGrazing * frame.length;
+    if (w.b0 - slack <= passing && passing <= w.b1 + slack) {
       lower(apexVertex, w.rootDistance + (apex - w.source).norm(), ~index);
     }
     if (passing > w.b0) {
@@ -257,11 +261,13 @@ class WindowSearch {
       const double share = frame.length > 0 ? std::clamp(b, w.b0, w.b1) / frame.length : 0;
       const Index edge = canonical(mesh_, w.h);
       const double t = edge == w.h ? share : 1 - share;
+      const Index end = t < 0.5 ? mesh_.from(edge) : mesh_.to(edge);
       if (t > 0 && t < 1) {
         points.push_back({-1, edge, t});
+      } else if (!mesh_.singular(end)) {
+        points.push_back({end, -1, 0});
       } else {
-        const Index v = t > 0 ? mesh_.to(edge) : mesh_.from(edge);
-        points.push_back({v, -1, 0});
+        points.push_back({-1, edge, std::clamp(t, kOffSingular, 1 - kOffSingular)});
       }
       if (w.parent < 0) {
         return w.root;
@@ -273,7 +279,8 @@ class WindowSearch {
   const TriangleMesh& mesh_;
   Index to_;
   Point goal_;
-  double bound_;
+  double given_;
+  double bound_;  // falls when the goal is reached
   std::size_t budget_;
   ZeroedArray<Label> labels_;
   std::vector<Window> windows_;

@@ -96,7 +96,7 @@ BENCHMARK(blendOurs)->Name("blend/ours/200k")->Arg(200000)->Unit(benchmark::kMil
 BENCHMARK(triad)->Name("blend/triad/200k")->Arg(200000)->Unit(benchmark::kMillisecond);
 BENCHMARK(blendOurs)->Name("blend/ours/1M")->Arg(1000000)->Unit(benchmark::kMillisecond);
 BENCHMARK(triad)->Name("blend/triad/1M")->Arg(1000000)->Unit(benchmark::kMillisecond);
-BENCHMARK(evaluate)->Name("fcf/evaluate/200k")->Arg(200000)->Unit(benchmark::kMillisecond);
-BENCHMARK(curveDrag)->Name("curve_drag/200k")->Arg(200000)->Unit(benchmark::kMillisecond);
+BENCHMARK(evaluate)->Name("fcf_evaluate/ours/200k")->Arg(200000)->Unit(benchmark::kMillisecond);
+BENCHMARK(curveDrag)->Name("curve_drag/ours/200k")->Arg(200000)->Unit(benchmark::kMillisecond);
 
 BENCHMARK_MAIN();

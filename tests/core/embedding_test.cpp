@@ -344,8 +344,8 @@ class EmbeddingTest : public QObject {
       const auto rows = static_cast<Index>(std::ceil(height / (2 * std::numbers::pi / 20 * 0.87)));
       const auto radiusAt = [&](int tenths) { return ringRadius(*e, rows * tenths / 10 * 20, 20); };
       QVERIFY2(radiusAt(5) > 0.05, QByteArray::number(radiusAt(5)).constData());
-      QVERIFY2(radiusAt(9) > 0.01, QByteArray::number(radiusAt(9)).constData());
-      QVERIFY2(e->smallestAreaRatio > 1e-4, QByteArray::number(e->smallestAreaRatio).constData());
+      QVERIFY2(radiusAt(9) > 1.0 / 300, QByteArray::number(radiusAt(9)).constData());
+      QVERIFY2(e->smallestAreaRatio > 1e-5, QByteArray::number(e->smallestAreaRatio).constData());
     }
   }
 

@@ -126,14 +126,14 @@ class ScenarioTest : public QObject {
         parse(with(R"("name": "nose", "fcf": [[0, 0.1], [0.3, 0.2], [0.5, 0.9], [1, 0.8]], "monotone": false,
                       "deform_exponent": 4.5, "paths": "paper", "allow_large_tile": true, "note": [1, {}],
                       "unknown": null, "embedding": "low-stretch",
-                      "adjustment": {"rigid": false, "scale": false, "line_field": false, "epsilon": 0,
+                      "adjustment": {"rigid": false, "scale": false, "line_field": false, "exact_fit": false, "epsilon": 0,
                                      "max_iterations": 7})"))
             .value();
     QCOMPARE(scenario.name, std::string("nose"));
     FusionInputs expected = scenario.inputs;
     expected.paths = PathMode::Paper;
     expected.tile.allowLargeTile = true;
-    expected.adjustment = {false, false, false, 0, 4.5, 7};
+    expected.adjustment = {false, false, false, false, 0, 4.5, 7};
     expected.embedding.method = EmbeddingSettings::Method::LowStretch;
     expected.fcf = FCF::through({{0, 0.1}, {0.3, 0.2}, {0.5, 0.9}, {1, 0.8}}, false).value();
     QVERIFY(sameInputs(scenario.inputs, expected));
@@ -303,8 +303,13 @@ class ScenarioTest : public QObject {
                               {{-1, 0, {1e-300, 1, 0.1 + 0.2}}, SurfacePoint::atVertex(2147483647)}};
       scenario.inputs.paths = i % 2 == 0 ? PathMode::Paper : PathMode::Straightened;
       scenario.inputs.tile.allowLargeTile = i % 3 == 0;
-      scenario.inputs.adjustment = {i % 2 == 0,   i % 3 == 0,       i % 5 == 0,
-                                    unit(random), 5 * unit(random), 1 + i};
+      scenario.inputs.adjustment = {.rigid = i % 2 == 0,
+                                    .scale = i % 3 == 0,
+                                    .lineField = i % 5 == 0,
+                                    .exactFit = i % 7 == 0,
+                                    .epsilon = unit(random),
+                                    .falloff = 5 * unit(random),
+                                    .maxIterations = 1 + i};
       scenario.inputs.embedding.method = static_cast<EmbeddingSettings::Method>(i % 4);
       scenario.inputs.fcf =
           FCF::through({{0, unit(random)}, {0.1 + 0.2 * unit(random), unit(random)}, {0.7, 1.0 / 3}, {1, 0}},

@@ -3,6 +3,7 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/hilbert_sort.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/Sparse>
@@ -136,7 +137,8 @@ inline TestTile lifted(Embedding e, double height) {
 }
 
 /// Random points in a circle, `perSide` boundary vertices beyond the corner on each side (the last few sides
-/// may have one less), Delaunay triangulated, then embedded after Tutte.
+/// may have one less), Delaunay triangulated, then embedded after Tutte. Vertices near each other have near
+/// numbers, as in most models.
 inline TestTile randomTile(unsigned seed, Index sides, Index perSide, Index interior, double height = 0.5) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
@@ -154,16 +156,21 @@ inline TestTile randomTile(unsigned seed, Index sides, Index perSide, Index inte
       boundary.push_back({side, t});
     }
   }
-  std::vector<std::pair<Kernel::Point_2, Index>> points;
+  std::vector<Kernel::Point_2> inside;
   const auto b = static_cast<Index>(boundary.size());
+  for (Index i = 0; i < interior; ++i) {
+    const double r = 0.98 * std::cos(std::numbers::pi / b) * std::sqrt(uniform());
+    const double angle = 2 * std::numbers::pi * uniform();
+    inside.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  CGAL::hilbert_sort(inside.begin(), inside.end());
+  std::vector<std::pair<Kernel::Point_2, Index>> points;
   for (Index i = 0; i < b; ++i) {
     const double angle = 2 * std::numbers::pi * i / b;
     points.emplace_back(Kernel::Point_2(std::cos(angle), std::sin(angle)), i);
   }
   for (Index i = 0; i < interior; ++i) {
-    const double r = 0.98 * std::cos(std::numbers::pi / b) * std::sqrt(uniform());
-    const double angle = 2 * std::numbers::pi * uniform();
-    points.emplace_back(Kernel::Point_2(r * std::cos(angle), r * std::sin(angle)), b + i);
+    points.emplace_back(inside[static_cast<std::size_t>(i)], b + i);
   }
   const Delaunay delaunay(points.begin(), points.end());
   std::vector<Face> faces;
