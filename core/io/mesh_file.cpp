@@ -6,11 +6,12 @@
 #include <new>
 #include <stdexcept>
 
-#include "core/base/read_file.h"
 #include "core/io/mesh_parse.h"
 #include "core/io/obj_reader.h"
 #include "core/io/off_reader.h"
 #include "core/io/ply_reader.h"
+#include "core/io/printable.h"
+#include "core/io/read_file.h"
 #include "core/io/stl_reader.h"
 
 namespace graftsman {
@@ -19,6 +20,7 @@ namespace {
 // Shares of a reading's time, about.
 constexpr double kReadShare = 0.1;
 constexpr double kParseShare = 0.7;
+constexpr std::size_t kLongestPath = 400;  // bytes in a message
 
 Result<RawMesh> readRaw(const ReadInput& input, MeshFormat format) {
   switch (format) {
@@ -38,7 +40,7 @@ Result<RawMesh> readRaw(const ReadInput& input, MeshFormat format) {
 template <class Read>
 auto guarded(const std::filesystem::path& path, std::size_t size, Read read) -> decltype(read()) {
   const auto outOfMemory = [&] {
-    return fail(ErrorCode::OutOfMemory, printable(path.filename()) +
+    return fail(ErrorCode::OutOfMemory, printable(path.filename().string()) +
                                             ": not enough memory for the mesh in a file of " +
                                             std::to_string(size) + " bytes");
   };
@@ -49,7 +51,7 @@ auto guarded(const std::filesystem::path& path, std::size_t size, Read read) -> 
   } catch (const std::length_error&) {
     return outOfMemory();
   } catch (const std::exception& e) {
-    return fail(ErrorCode::Unexpected, printable(path.filename()) + ": " + e.what());
+    return fail(ErrorCode::Unexpected, printable(path.filename().string()) + ": " + e.what());
   }
 }
 
@@ -70,13 +72,14 @@ Result<MeshFormat> formatOf(const std::filesystem::path& path) {
     }
   }
   return fail(ErrorCode::FormatUnknown,
-              printable(path) + ": unknown format; the name must end in .obj, .ply, .stl or .off");
+              printable(path.string(), kLongestPath) +
+                  ": unknown format; the name must end in .obj, .ply, .stl or .off");
 }
 
 Result<TriangleSoup> parseTriangles(std::span<const char> bytes, MeshFormat format,
                                     const std::filesystem::path& path, const Progress& progress) {
   return guarded(path, bytes.size(), [&]() -> Result<TriangleSoup> {
-    const std::string name = printable(path.filename());
+    const std::string name = printable(path.filename().string());
     if (bytes.empty()) {
       return fail(ErrorCode::FileMalformed, name + ": the file is empty");
     }
@@ -109,7 +112,7 @@ Result<MeshFile> parseMesh(std::span<const char> bytes, MeshFormat format, const
     if (!progress.keepGoing(kParseShare)) {
       return fail(ErrorCode::Cancelled, "Reading was cancelled.");
     }
-    return assembled(std::move(*soup), printable(path.filename()));
+    return assembled(std::move(*soup), printable(path.filename().string()));
   });
 }
 

@@ -8,14 +8,15 @@
 #include <limits>
 #include <string_view>
 
-#include "core/base/read_file.h"
 #include "core/base/write_file.h"
+#include "core/io/printable.h"
 
 namespace graftsman {
 namespace {
 
 constexpr std::size_t kRowsPerLook = 4096;  // at the progress
 constexpr std::size_t kLongestNumber = 32;  // characters of a double or an integer
+constexpr std::size_t kLongestPath = 400;   // bytes in a message
 constexpr double kFormatShare = 0.8;        // of the time that writing takes
 
 class MeshFormatter {
@@ -181,8 +182,8 @@ Result<void> checkPoints(MeshFormat format, const std::filesystem::path& path, s
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (!(points[v].cwiseAbs().maxCoeff() <= limit) || !points[v].allFinite()) {
       return fail(ErrorCode::FileUnwritable,
-                  printable(path) + ": cannot be written: vertex " + std::to_string(v) +
-                      " has a coordinate that " +
+                  printable(path.string(), kLongestPath) + ": cannot be written: vertex " +
+                      std::to_string(v) + " has a coordinate that " +
                       (points[v].allFinite() ? "is too large for binary STL; choose another format"
                                              : "is not a finite number"));
     }

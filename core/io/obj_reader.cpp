@@ -13,7 +13,6 @@ namespace {
 constexpr std::size_t kBlock = std::size_t{1} << 20;  // bytes between two looks at the progress
 constexpr std::size_t kShortVertex = 24;              // bytes of a line with a vertex; few are shorter
 constexpr std::size_t kShortFace = 14;                // bytes of a line with a triangle
-constexpr int kPlainDigits = 9;                       // of a vertex number that surely fits an Index
 
 bool isContinuation(const char* at, const char* end) {
   return *at == '\\' && at + 1 != end && isLineEnd(at[1]);
@@ -154,7 +153,7 @@ class ObjParser {
   const char* parsePlainCorner(const char* at, Index& corner) const {
     std::uint64_t number = 0;
     const char* after = parseDigits(at, end_, number);
-    if (number == 0 || after - at > kPlainDigits || after == end_ || vertexCount_) {
+    if (number == 0 || after - at > kSurelyIndexDigits || after == end_ || vertexCount_) {
       return nullptr;
     }
     corner = static_cast<Index>(number) - 1;

@@ -41,7 +41,10 @@ std::string printable(std::string_view text, std::size_t limit) {
       return result + "…";
     }
     const auto lead = static_cast<std::uint8_t>(text[0]);
-    const std::size_t length = lead < 0x20 || lead == 0x7F ? 0 : characterLength(text);
+    // U+0080 to U+009F are control characters, too: a terminal may obey them.
+    const bool control = lead < 0x20 || lead == 0x7F ||
+                         (lead == 0xC2 && text.size() > 1 && static_cast<std::uint8_t>(text[1]) < 0xA0);
+    const std::size_t length = control ? 0 : characterLength(text);
     if (length == 0) {
       result += {'\\', 'x', kHex[lead >> 4], kHex[lead & 15]};
     } else {

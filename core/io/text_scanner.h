@@ -90,6 +90,9 @@ inline constexpr std::array<std::uint64_t, 9> kIntegerPowersOfTen = {
 }
 }  // namespace detail
 
+/// Digits of a number that surely fits an Index.
+inline constexpr int kSurelyIndexDigits = 9;
+
 /// Appends the decimal digits from `at` on to `value`, which wraps round if there are too many: the position
 /// after them.
 [[nodiscard]] inline const char* parseDigits(const char* at, const char* end, std::uint64_t& value) {

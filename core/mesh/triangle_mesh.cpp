@@ -47,24 +47,17 @@ void pairBucket(Index v, std::span<Bucketed> bucket, const TriangleMesh& mesh, s
     std::sort(bucket.begin(), bucket.end());
   }
   for (std::size_t i = 0; i < bucket.size(); ++i) {
-    const auto [larger, halfedge] = bucket[i];
+    const Index larger = bucket[i].larger;
+    const Index halfedge = bucket[i].halfedge;
+    // In a sorted bucket two neighbours on either side tell whether the edge has one, two or more.
+    const std::size_t first = few ? 0 : i - std::min<std::size_t>(i, 2);
+    const std::size_t last = few ? bucket.size() : std::min(bucket.size(), i + 3);
     std::size_t others = 0;
     Index other = -1;
-    const auto look = [&](std::size_t j) {
+    for (std::size_t j = first; j < last; ++j) {
       const bool same = bucket[j].larger == larger && j != i;
       others += same ? 1 : 0;
       other = same ? bucket[j].halfedge : other;
-      return same;
-    };
-    if (few) {
-      for (std::size_t j = 0; j < bucket.size(); ++j) {
-        look(j);
-      }
-    } else {  // sorted: two steps to either side tell whether there is none, one or more
-      for (std::size_t j = i; j > 0 && j + 2 > i && look(j - 1); --j) {
-      }
-      for (std::size_t j = i + 1; j < bucket.size() && j < i + 3 && look(j); ++j) {
-      }
     }
     if (others == 1 && mesh.from(halfedge) != mesh.from(other)) {
       twins[static_cast<std::size_t>(halfedge)] = other;

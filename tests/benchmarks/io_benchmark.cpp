@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/read_file.h"
+#include "core/io/read_file.h"
 #include "core/io/mesh_file.h"
 #include "core/io/mesh_parse.h"
 #include "tests/support/shapes.h"

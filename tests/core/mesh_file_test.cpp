@@ -12,7 +12,7 @@
 #include <random>
 #include <thread>
 
-#include "core/base/read_file.h"
+#include "core/io/read_file.h"
 #include "core/io/mesh_writer.h"
 #include "tests/support/mesh_text.h"
 #include "tests/support/shapes.h"
@@ -306,7 +306,7 @@ class MeshFileTest : public QObject {
     QCOMPARE(readMesh(root / "empty.ply", {}).error().code, ErrorCode::FileMalformed);
     std::ofstream(root / "b\ta\xc2\x9b\xc3\xa9.obj") << "v 0 x 0";
     QCOMPARE(readMesh(root / "b\ta\xc2\x9b\xc3\xa9.obj", {}).error().message,
-             "b\\x09a\\xc2\x9b\xc3\xa9.obj:1: expected the y coordinate of vertex 1, found 'x'");
+             "b\\x09a\\xc2\\x9b\xc3\xa9.obj:1: expected the y coordinate of vertex 1, found 'x'");
   }
 
   void aPipeIsReadToItsEnd() {

@@ -27,8 +27,4 @@ class FileBytes {
 /// permission; the message says which), OutOfMemory, Cancelled.
 [[nodiscard]] Result<FileBytes> readFile(const std::filesystem::path& path, const Progress& progress);
 
-/// The path as text for a message: control characters, which could forge lines or steer a terminal, are
-/// escaped.
-[[nodiscard]] std::string printable(const std::filesystem::path& path);
-
 }  // namespace graftsman

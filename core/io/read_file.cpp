@@ -1,4 +1,4 @@
-#include "core/base/read_file.h"
+#include "core/io/read_file.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -10,8 +10,9 @@
 #include <cstring>
 #include <new>
 #include <string>
-#include <string_view>
 #include <system_error>
+
+#include "core/io/printable.h"
 
 namespace graftsman {
 namespace {
@@ -19,6 +20,7 @@ namespace {
 constexpr std::size_t kBlock = std::size_t{1} << 22;  // read at a time, between two looks at the progress
 constexpr std::size_t kPipeStart = std::size_t{1} << 16;
 constexpr int kPollMilliseconds = 50;
+constexpr std::size_t kLongestPath = 400;  // bytes in a message
 
 class Descriptor {
  public:
@@ -37,7 +39,8 @@ class Descriptor {
 };
 
 tl::unexpected<Error> cannotRead(const std::filesystem::path& path, const std::string& reason) {
-  return fail(ErrorCode::FileUnreadable, printable(path) + ": cannot be read: " + reason);
+  return fail(ErrorCode::FileUnreadable,
+              printable(path.string(), kLongestPath) + ": cannot be read: " + reason);
 }
 
 std::string textOf(int systemError) {
@@ -56,24 +59,6 @@ bool waitForPipe(int file, const Progress& progress) {
 }
 
 }  // namespace
-
-std::string printable(const std::filesystem::path& path) {
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  const std::string name = path.string();
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const auto c = static_cast<unsigned char>(name[i]);
-    // U+0080 to U+009F are control characters, too: c2 80 to c2 9f in UTF-8.
-    const bool c1 =
-        c == 0xc2 && i + 1 < name.size() && (static_cast<unsigned char>(name[i + 1]) & 0xe0) == 0x80;
-    if (c < 0x20 || c == 0x7f || c1) {
-      text += {'\\', 'x', kDigits[c >> 4], kDigits[c & 15]};
-    } else {
-      text += name[i];
-    }
-  }
-  return text;
-}
 
 Result<FileBytes> readFile(const std::filesystem::path& path, const Progress& progress) {
   // Without O_NONBLOCK a pipe that nobody writes to would hold us here for ever.
@@ -117,7 +102,8 @@ Result<FileBytes> readFile(const std::filesystem::path& path, const Progress& pr
       }
     }
   } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::OutOfMemory, printable(path) + ": not enough memory to read the file (" +
+    return fail(ErrorCode::OutOfMemory, printable(path.string(), kLongestPath) +
+                                            ": not enough memory to read the file (" +
                                             std::to_string(status.st_size) + " bytes)");
   }
 }
