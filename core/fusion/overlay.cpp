@@ -51,6 +51,7 @@ double apothemOf(Index sides) {
 
 void fillSeamDistances(Index sides, CombinedTile& combined) {
   std::vector<Point2> outwards;
+  outwards.reserve(static_cast<std::size_t>(sides));
   for (Index i = 0; i < sides; ++i) {
     outwards.push_back(outward(sides, i));
   }

@@ -22,9 +22,9 @@
 #include <string>
 #include <vector>
 
-#include "core/io/read_file.h"
 #include "core/io/mesh_file.h"
 #include "core/io/mesh_parse.h"
+#include "core/io/read_file.h"
 #include "tests/support/shapes.h"
 
 namespace graftsman {

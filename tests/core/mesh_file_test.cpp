@@ -12,8 +12,8 @@
 #include <random>
 #include <thread>
 
-#include "core/io/read_file.h"
 #include "core/io/mesh_writer.h"
+#include "core/io/read_file.h"
 #include "tests/support/mesh_text.h"
 #include "tests/support/shapes.h"
 
