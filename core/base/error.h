@@ -18,6 +18,7 @@ enum class ErrorCode {
   MeshOutOfRange,     // so large or so small that squares of its lengths leave the doubles
   MeshEmpty,          // a readable file without a face
   ScenarioMalformed,  // a scenario's JSON or one of its values; the message names the key
+  ProjectTooNew,      // a project file that needs a newer version of the program
   // loop
   LoopTooShort,         // fewer than three pairs
   LoopIndexOutOfRange,  // a CV names a vertex or face that the mesh lacks

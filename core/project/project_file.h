@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/project/document.h"
+
+namespace graftsman {
+
+/// What a project file holds that this version does not know: carried from reading to writing untouched.
+struct ProjectRemains;
+
+/// A document with what goes with it into its file.
+struct Project {
+  Document document;
+  std::string thumbnail;  // PNG bytes; may be empty
+  std::string viewState;  // JSON text of the interface's own (cameras, mode, …); may be empty
+  std::shared_ptr<const ProjectRemains> remains;  // null for a new project
+};
+
+/// A project as read.
+struct LoadedProject {
+  Project project;
+  /// What was damaged and left out, one Error for each entry; the rest of the project is whole.
+  std::vector<Error> damage;
+};
+
+/// Writes a .graft file (DESIGN.md §5): a zip whose first entry, uncompressed, is `mimetype`
+/// ("application/x-graftsman"), then document.json (format version, least version of a reader, required
+/// features), meshes/*.mesh (binary, little-endian, with checksums), thumbnail.png, view.json. The same
+/// Project gives the same bytes. Atomic: writes beside, flushes, renames; killed at any moment the file is
+/// the old or the new one, whole. Errors: FileUnwritable, Cancelled, OutOfMemory.
+[[nodiscard]] Result<void> writeProject(const std::filesystem::path& path, const Project& project,
+                                        const Progress& progress);
+
+/// Reads a .graft file. Errors: FileUnreadable; FileMalformed (no zip, no document.json, or one that cannot
+/// be understood; names the entry and the key); ProjectTooNew (needs a newer program: says which); Cancelled;
+/// OutOfMemory. Memory: in proportion to the file (an entry that claims to inflate beyond reason is damage).
+[[nodiscard]] Result<LoadedProject> readProject(const std::filesystem::path& path, const Progress& progress);
+
+}  // namespace graftsman
