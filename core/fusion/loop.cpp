@@ -27,12 +27,6 @@ class Anchorer {
       : mesh_(*mesh), shared_(mesh), loop_(loop), side_(side) {}
 
   Result<AnchoredLoop> run() {
-    if (loop_.size() < 3) {
-      return fail(Error{ErrorCode::LoopTooShort,
-                        "The loop has " + std::to_string(loop_.size()) +
-                            (loop_.size() == 1 ? " pair" : " pairs") + " and needs at least 3: pick more.",
-                        side_});
-    }
     for (std::size_t i = 0; i < loop_.size(); ++i) {
       if (auto error = place(static_cast<int>(i))) {
         return fail(std::move(*error));
@@ -234,9 +228,20 @@ class Anchorer {
 
 }  // namespace
 
+Result<AnchoredLoop> anchorPoints(const std::shared_ptr<const TriangleMesh>& mesh, const Loop& pairs,
+                                  Side side) {
+  return Anchorer(mesh, pairs, side).run();
+}
+
 Result<AnchoredLoop> anchorLoop(const std::shared_ptr<const TriangleMesh>& mesh, const Loop& loop,
                                 Side side) {
-  return Anchorer(mesh, loop, side).run();
+  if (loop.size() < 3) {
+    return fail(Error{ErrorCode::LoopTooShort,
+                      "The loop has " + std::to_string(loop.size()) +
+                          (loop.size() == 1 ? " pair" : " pairs") + " and needs at least 3: pick more.",
+                      side});
+  }
+  return anchorPoints(mesh, loop, side);
 }
 
 }  // namespace graftsman

@@ -37,4 +37,8 @@ struct AnchoredLoop {
 [[nodiscard]] Result<AnchoredLoop> anchorLoop(const std::shared_ptr<const TriangleMesh>& mesh,
                                               const Loop& loop, Side side);
 
+/// The same for any number of pairs, that make no loop yet.
+[[nodiscard]] Result<AnchoredLoop> anchorPoints(const std::shared_ptr<const TriangleMesh>& mesh,
+                                                const Loop& pairs, Side side);
+
 }  // namespace graftsman

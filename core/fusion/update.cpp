@@ -56,8 +56,9 @@ Result<std::shared_ptr<const T>> shared(Result<T> result) {
 // Runs the stages in their order. After a failure it goes on, but only takes over what is still true.
 class Updater {
  public:
-  Updater(const FusionInputs& inputs, const FusionResults& previous, const Progress& progress)
-      : before_(previous), progress_(progress) {
+  Updater(const FusionInputs& inputs, const FusionResults& previous, const Progress& progress,
+          const StageStarted& started)
+      : before_(previous), progress_(progress), started_(started) {
     now_.inputs = inputs;
   }
 
@@ -84,6 +85,9 @@ class Updater {
     }
     if (now_.error) {
       return;
+    }
+    if (started_) {
+      started_(stage, side);
     }
     const auto start = std::chrono::steady_clock::now();
     Result<std::shared_ptr<const T>> result =
@@ -231,13 +235,15 @@ class Updater {
 
   const FusionResults& before_;
   const Progress& progress_;
+  const StageStarted& started_;
   FusionResults now_;
 };
 
 }  // namespace
 
-FusionResults update(const FusionInputs& inputs, const FusionResults& previous, const Progress& progress) {
-  return Updater(inputs, previous, progress).run();
+FusionResults update(const FusionInputs& inputs, const FusionResults& previous, const Progress& progress,
+                     const StageStarted& started) {
+  return Updater(inputs, previous, progress, started).run();
 }
 
 const char* name(Stage stage) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -39,6 +40,10 @@ struct FusedMesh {
 /// The stages in the order in which they run.
 enum class Stage { Anchor, Paths, Cut, Tile, Adjust, Fit, Embed, Overlay, Join, Blend };
 inline constexpr int kStageCount = 10;
+
+/// Called as a stage begins to run, on the thread that runs update(); without a side where it concerns both
+/// meshes.
+using StageStarted = std::function<void(Stage, std::optional<Side>)>;
 
 /// How one stage went in one update.
 struct StageRun {
@@ -80,7 +85,7 @@ struct FusionResults {
 /// nothing else, changes nothing. Exceptions of libraries and bad_alloc come back as Unexpected and
 /// OutOfMemory.
 [[nodiscard]] FusionResults update(const FusionInputs& inputs, const FusionResults& previous,
-                                   const Progress& progress);
+                                   const Progress& progress, const StageStarted& started = {});
 
 /// "paths", "cut", …: the stage's name in reports and messages.
 [[nodiscard]] const char* name(Stage stage);

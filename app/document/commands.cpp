@@ -1,0 +1,172 @@
+#include "app/document/commands.h"
+
+#include <QCoreApplication>
+#include <utility>
+
+namespace graftsman {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("graftsman::EditCommand", text);
+}
+
+Touched cv(int number) {
+  return {number, {}};
+}
+
+Touched curvePoint(int point) {
+  return {{}, point};
+}
+
+Document withCurve(const DocumentModel& model, const FCF& curve) {
+  Document document = model.committed();
+  document.inputs.fcf = curve;
+  return document;
+}
+
+Document withAdjustment(const DocumentModel& model, const AdjustmentSettings& settings) {
+  Document document = model.committed();
+  document.inputs.adjustment = settings;
+  return document;
+}
+
+AdjustmentSettings everyStepOn(AdjustmentSettings settings) {
+  settings.rigid = settings.scale = settings.lineField = true;
+  return settings;
+}
+
+// What differs, as a person would say it.
+QString adjustmentText(const AdjustmentSettings& before, const AdjustmentSettings& after) {
+  const auto switched = [](const QString& step, bool on) {
+    return (on ? tr("Turn on %1") : tr("Turn off %1")).arg(step);
+  };
+  if (before.rigid != after.rigid) {
+    return switched(tr("rigid step"), after.rigid);
+  }
+  if (before.scale != after.scale) {
+    return switched(tr("scale step"), after.scale);
+  }
+  if (before.lineField != after.lineField) {
+    return switched(tr("line field"), after.lineField);
+  }
+  if (before.exactFit != after.exactFit) {
+    return switched(tr("exact fit"), after.exactFit);
+  }
+  if (before.falloff != after.falloff) {
+    return tr("Set falloff to %1").arg(after.falloff);
+  }
+  if (before.epsilon != after.epsilon) {
+    return tr("Set ε to %1 %").arg(after.epsilon * 100);
+  }
+  return tr("Set iterations to %1").arg(after.maxIterations);
+}
+
+}  // namespace
+
+EditCommand::EditCommand(DocumentModel& model, Document after, const QString& text, Touched touched)
+    : QUndoCommand(text),
+      model_(model),
+      before_(model.committed()),
+      after_(std::move(after)),
+      touched_(touched) {}
+
+void EditCommand::undo() {
+  model_.apply(before_, Change::History, touched_);
+}
+
+void EditCommand::redo() {
+  model_.apply(after_, done_ ? Change::History : Change::Edit, touched_);
+  done_ = true;
+}
+
+AddCVP::AddCVP(DocumentModel& model, Document after, int number)
+    : EditCommand(model, std::move(after), tr("Add pair %1").arg(number), cv(number)) {}
+
+InsertCVP::InsertCVP(DocumentModel& model, Document after, int number)
+    : EditCommand(model, std::move(after), tr("Insert pair %1").arg(number), cv(number)) {}
+
+MoveCVP::MoveCVP(DocumentModel& model, Document after, int number, Side side)
+    : EditCommand(model, std::move(after), tr("Move CV %1 on the %2").arg(number).arg(label(side)),
+                  cv(number)) {}
+
+RemoveCVP::RemoveCVP(DocumentModel& model, Document after, int first, int count)
+    : EditCommand(model, std::move(after),
+                  count == 1 ? tr("Remove pair %1").arg(first) : tr("Remove %1 pairs").arg(count)) {}
+
+CloseLoop::CloseLoop(DocumentModel& model, Document after)
+    : EditCommand(model, std::move(after), tr("Close the loop")) {}
+
+OpenLoop::OpenLoop(DocumentModel& model, Document after)
+    : EditCommand(model, std::move(after), tr("Open the loop")) {}
+
+ClearLoop::ClearLoop(DocumentModel& model, Document after)
+    : EditCommand(model, std::move(after), tr("Remove all pairs")) {}
+
+ReverseLoop::ReverseLoop(DocumentModel& model, Document after)
+    : EditCommand(model, std::move(after), tr("Reverse the loop")) {}
+
+ShiftCorrespondence::ShiftCorrespondence(DocumentModel& model, Document after)
+    : EditCommand(model, std::move(after), tr("Shift the correspondence")) {}
+
+MirrorCorrespondence::MirrorCorrespondence(DocumentModel& model, Document after)
+    : EditCommand(model, std::move(after), tr("Mirror the correspondence")) {}
+
+AllowLargeTile::AllowLargeTile(DocumentModel& model, Document after)
+    : EditCommand(model, std::move(after), tr("Take the large side of the loop")) {}
+
+SetPathMode::SetPathMode(DocumentModel& model, Document after)
+    : EditCommand(model, after,
+                  after.inputs.paths == PathMode::Paper ? tr("Take the paper's paths")
+                                                        : tr("Straighten the paths")) {}
+
+SetEmbedding::SetEmbedding(DocumentModel& model, Document after)
+    : EditCommand(model, std::move(after), tr("Change the embedding")) {}
+
+LoadMesh::LoadMesh(DocumentModel& model, Document after, Side side)
+    : EditCommand(model, after,
+                  tr("Load %1 as the %2").arg(QString::fromStdString(after.of(side)->name), label(side))) {}
+
+MoveFCFPoint::MoveFCFPoint(DocumentModel& model, const FCF& curve, int point)
+    : EditCommand(model, withCurve(model, curve), tr("Move curve point %1").arg(point), curvePoint(point)) {}
+
+AddFCFPoint::AddFCFPoint(DocumentModel& model, const FCF& curve, int point)
+    : EditCommand(model, withCurve(model, curve), tr("Add curve point %1").arg(point), curvePoint(point)) {}
+
+RemoveFCFPoint::RemoveFCFPoint(DocumentModel& model, const FCF& curve, int point)
+    : EditCommand(model, withCurve(model, curve), tr("Remove curve point %1").arg(point), curvePoint(point)) {
+}
+
+SetFCFPreset::SetFCFPreset(DocumentModel& model, FCF::Preset preset)
+    : EditCommand(model, withCurve(model, FCF::preset(preset)), tr("Curve: %1").arg(label(preset))) {}
+
+SetFCFMonotone::SetFCFMonotone(DocumentModel& model, const FCF& curve)
+    : EditCommand(model, withCurve(model, curve),
+                  curve.monotone() ? tr("Keep the curve monotone") : tr("Let the curve swing")) {}
+
+SetAdjustment::SetAdjustment(DocumentModel& model, const AdjustmentSettings& settings)
+    : EditCommand(model, withAdjustment(model, settings),
+                  adjustmentText(model.committed().inputs.adjustment, settings)) {}
+
+RunAdjustment::RunAdjustment(DocumentModel& model)
+    : EditCommand(model, withAdjustment(model, everyStepOn(model.committed().inputs.adjustment)),
+                  tr("Run the adjustment")) {}
+
+QString label(FCF::Preset preset) {
+  switch (preset) {
+    case FCF::Preset::Linear:
+      return tr("Linear");
+    case FCF::Preset::Paste:
+      return tr("Paste");
+    case FCF::Preset::KeepBaseSlope:
+      return tr("Keep base slope");
+    case FCF::Preset::Half:
+      return tr("Half");
+  }
+  return {};
+}
+
+QString label(Side side) {
+  return side == Side::Part ? tr("part") : tr("base");
+}
+
+}  // namespace graftsman

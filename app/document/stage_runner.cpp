@@ -1,0 +1,177 @@
+#include "app/document/stage_runner.h"
+
+#include <QMetaObject>
+#include <utility>
+
+namespace graftsman {
+namespace {
+
+// The same but for the fusion curve: a run under way stays useful, what is missing is a blend.
+bool onlyCurveDiffers(Document a, const Document& b) {
+  a.inputs.fcf = b.inputs.fcf;
+  return a == b;
+}
+
+}  // namespace
+
+StageRunner::StageRunner(QObject* parent) : QObject(parent), worker_([this] { work(); }) {}
+
+StageRunner::~StageRunner() {
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = stop_ = true;
+  }
+  wake_.notify_one();
+  worker_.join();
+}
+
+void StageRunner::request(const Document& document, Urgency urgency) {
+  enqueue({document, urgency, false});
+}
+
+void StageRunner::requestAdjustment(const Document& document) {
+  enqueue({document, Urgency::Edit, true});
+}
+
+void StageRunner::enqueue(Request request) {
+  {
+    const std::lock_guard lock(mutex_);
+    const bool followsDrag =
+        running_ && running_->urgency == Urgency::Drag && request.urgency == Urgency::Drag;
+    if (running_ && !followsDrag && !onlyCurveDiffers(running_->document, request.document)) {
+      stop_ = true;
+    }
+    if (pending_ && pending_->adjustAnew) {
+      request.adjustAnew = true;
+    }
+    pending_ = std::move(request);
+  }
+  wake_.notify_one();
+  if (!std::exchange(busy_, true)) {
+    Q_EMIT busyChanged(true);
+  }
+}
+
+void StageRunner::cancel() {
+  const std::lock_guard lock(mutex_);
+  if (running_) {
+    stop_ = dismiss_ = true;
+  } else if (pending_) {
+    outcome_ = Outcome{pending_->document, {}, {}, {}, true};
+  }
+  pending_.reset();
+  if (!std::exchange(notified_, true)) {
+    QMetaObject::invokeMethod(
+        this, [this] { deliver(); }, Qt::QueuedConnection);
+  }
+}
+
+void StageRunner::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    wake_.wait(lock, [this] { return pending_ || quit_; });
+    if (quit_) {
+      return;
+    }
+    running_ = std::move(pending_);
+    pending_.reset();
+    stop_ = dismiss_ = false;
+    const Request request = *running_;
+    lock.unlock();
+    Outcome outcome = run(request);
+    lock.lock();
+    const bool overtaken = stop_ && !dismiss_;
+    outcome.cancelled = dismiss_;
+    running_.reset();
+    if (quit_) {
+      return;
+    }
+    if (!overtaken) {
+      outcome_ = std::move(outcome);
+    }
+    if (!std::exchange(notified_, true)) {
+      QMetaObject::invokeMethod(
+          this, [this] { deliver(); }, Qt::QueuedConnection);
+    }
+  }
+}
+
+Outcome StageRunner::run(const Request& request) {
+  const Document& document = request.document;
+  const FusionInputs& inputs = document.inputs;
+  Outcome outcome{document, {}, {}, {}, false};
+  const Progress whole = progress();
+  if (document.closed && inputs.part && inputs.base) {
+    if (request.adjustAnew) {
+      previous_.adjustment.reset();
+    }
+    auto results = std::make_shared<const FusionResults>(
+        update(inputs, previous_, whole, [this](Stage stage, std::optional<Side> side) {
+          const std::lock_guard lock(mutex_);
+          progress_.stage = stage;
+          progress_.side = side;
+        }));
+    previous_ = *results;
+    outcome.results = std::move(results);
+  }
+  // Of a loop that is open, or has no simple closed curve, a person sees each path as it is alone.
+  const auto find = [&](Side side, OpenPaths& known,
+                        const Progress& part) -> std::shared_ptr<const OpenPaths> {
+    const auto& mesh = side == Side::Part ? inputs.part : inputs.base;
+    if (outcome.results && (side == Side::Part ? outcome.results->part : outcome.results->base).paths) {
+      return nullptr;
+    }
+    known = mesh ? findOpenPaths(mesh, inputs.loop, document.closed, side, inputs.paths, known, part)
+                 : OpenPaths{};
+    return std::make_shared<const OpenPaths>(known);
+  };
+  outcome.openPart = find(Side::Part, openPart_, whole.span(0, 0.5));
+  outcome.openBase = find(Side::Base, openBase_, whole.span(0.5, 1));
+  return outcome;
+}
+
+Progress StageRunner::progress() {
+  {
+    const std::lock_guard lock(mutex_);
+    progress_ = {};
+  }
+  return Progress([this](double done) {
+    const std::lock_guard lock(mutex_);
+    progress_.done = done;
+    if (!std::exchange(notified_, true)) {
+      QMetaObject::invokeMethod(
+          this, [this] { deliver(); }, Qt::QueuedConnection);
+    }
+    return !stop_;
+  });
+}
+
+// In the GUI thread: tells what happened since the last time.
+void StageRunner::deliver() {
+  std::optional<Outcome> outcome;
+  RunProgress now;
+  bool running = false;
+  bool idle = false;
+  {
+    const std::lock_guard lock(mutex_);
+    notified_ = false;
+    outcome = std::exchange(outcome_, std::nullopt);
+    now = progress_;
+    running = running_.has_value();
+    idle = !running_ && !pending_;
+  }
+  if (idle) {
+    busy_ = false;
+  }
+  if (outcome) {
+    Q_EMIT finished(std::make_shared<const Outcome>(std::move(*outcome)));
+  }
+  if (running && busy_) {
+    Q_EMIT progressed(now);
+  }
+  if (idle && !busy_) {
+    Q_EMIT busyChanged(false);
+  }
+}
+
+}  // namespace graftsman

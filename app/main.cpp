@@ -1,0 +1,2 @@
+#include "app/document/commands.h"
+int main() { return 0; }
