@@ -1,0 +1,339 @@
+#include "widgets/viewport/viewport.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkLight.h>
+#include <vtkOpenGLState.h>
+
+#include <QEvent>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLPaintDevice>
+#include <QPainter>
+#include <cmath>
+#include <numbers>
+
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/camera_view.h"
+#include "widgets/viewport/viewport_scene.h"
+
+namespace graftsman {
+namespace {
+
+constexpr double kDimming = 0.1;
+constexpr int kProgressHeight = 2;
+constexpr int kFrameWidth = 2;
+
+QSurfaceFormat surfaceFormat() {
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);  // QPainter clips with it
+  format.setSamples(0);            // FXAA instead: multisampling makes translucent actors vanish
+  return format;
+}
+
+void addLight(vtkRenderer& renderer, double x, double y, double z, double intensity) {
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();  // the camera stands at (0, 0, 1) and looks at the origin
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0, 0, 0);
+  light->SetIntensity(intensity);
+  renderer.AddLight(light);
+}
+
+}  // namespace
+
+Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_unique<Scene>()) {
+  setObjectName("viewport");
+  setAccessibleName(tr("3D view"));
+  setFormat(surfaceFormat());
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAcceptDrops(true);
+  setMinimumSize(120, 90);
+
+  auto* window = scene_->window.Get();
+  window->SetReadyForRendering(false);
+  window->SetOwnContext(0);
+  window->SetFrameBlitModeToNoBlit();
+  window->SetMultiSamples(0);
+  window->AddRenderer(scene_->renderer);
+  answerWindow();
+
+  vtkRenderer& renderer = *scene_->renderer;
+  renderer.SetUseFXAA(true);
+  renderer.SetGradientBackground(true);
+  renderer.SetAutomaticLightCreation(false);
+  addLight(renderer, -0.6, 0.9, 1, 0.85);
+  addLight(renderer, 0.9, -0.3, 0.6, 0.3);
+  renderer.GetActiveCamera()->SetViewAngle(CameraView::kAngle * 180 / std::numbers::pi);
+  setBackground();
+
+  prepareGlide();
+}
+
+Viewport::~Viewport() {
+  disconnect(scene_->contextEnds);
+  scene_->glide.stop();
+  releaseContext();
+  scene_->window->RemoveAllObservers();
+}
+
+void Viewport::answerWindow() {
+  vtkNew<vtkCallbackCommand> answer;
+  answer->SetClientData(this);
+  answer->SetCallback([](vtkObject*, unsigned long event, void* client, void* answered) {
+    auto& self = *static_cast<Viewport*>(client);
+    switch (event) {
+      case vtkCommand::WindowMakeCurrentEvent:
+        // Only when it is not: Qt would also bind its own framebuffer, in the middle of VTK's work.
+        if (QOpenGLContext::currentContext() != self.context()) {
+          self.makeCurrent();
+        }
+        break;
+      case vtkCommand::WindowIsCurrentEvent:
+        *static_cast<bool*>(answered) =
+            self.context() != nullptr && QOpenGLContext::currentContext() == self.context();
+        break;
+      case vtkCommand::WindowSupportsOpenGLEvent:
+      case vtkCommand::WindowIsDirectEvent:
+        *static_cast<int*>(answered) = 1;
+        break;
+      default:  // WindowFrameEvent
+        if (!self.scene_->painting) {
+          self.update();
+        }
+    }
+  });
+  for (const auto event : {vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent,
+                           vtkCommand::WindowSupportsOpenGLEvent, vtkCommand::WindowIsDirectEvent,
+                           vtkCommand::WindowFrameEvent}) {
+    scene_->window->AddObserver(event, answer);
+  }
+}
+
+void Viewport::initializeGL() {
+  disconnect(scene_->contextEnds);
+  scene_->contextEnds =
+      connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseContext);
+  scene_->window->SetReadyForRendering(true);
+  scene_->window->OpenGLInit();
+  scene_->window->GetState()->Reset();
+  scene_->window->GetState()->vtkglDepthFunc(GL_LEQUAL);
+}
+
+void Viewport::releaseContext() {
+  if (isValid()) {
+    makeCurrent();
+    scene_->window->Finalize();
+    doneCurrent();
+  }
+  scene_->window->SetReadyForRendering(false);
+}
+
+void Viewport::resizeGL(int /*width*/, int /*height*/) {
+  if (scene_->framed) {
+    frameScene();
+  }
+}
+
+void Viewport::paintGL() {
+  CameraView shown = view();
+  shown.camera = scene_->shown;
+  paintFrame(shown, defaultFramebufferObject());
+  // Not on `this`: within grab() that would paint on the grabbed image, below this frame.
+  QOpenGLPaintDevice device((shown.size * shown.ratio).toSize());
+  device.setDevicePixelRatio(shown.ratio);
+  QPainter painter(&device);
+  paintOver(painter, shown);
+  paintState(painter);
+}
+
+void Viewport::paintFrame(const CameraView& shown, unsigned int framebuffer) {
+  scene_->painting = true;
+  vtkGenericOpenGLRenderWindow& window = *scene_->window;
+  const QSize pixels = (shown.size * shown.ratio).toSize();
+  if (window.GetSize()[0] != pixels.width() || window.GetSize()[1] != pixels.height()) {
+    window.SetSize(pixels.width(), pixels.height());
+  }
+  vtkCamera& camera = *scene_->renderer->GetActiveCamera();
+  camera.SetPosition(shown.camera.position.data());
+  camera.SetFocalPoint(shown.camera.pivot.data());
+  camera.SetViewUp(shown.up().data());
+  scene_->renderer->ResetCameraClippingRange();
+
+  vtkOpenGLState& state = *window.GetState();
+  state.Reset();
+  state.Push();
+  state.vtkglDepthFunc(GL_LEQUAL);
+  state.vtkglEnable(GL_DEPTH_TEST);
+  window.Render();
+  state.vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  window.BlitDisplayFramebuffer();
+  state.Pop();
+
+  // The desktop must not shine through where translucent actors left an alpha below 1.
+  QOpenGLExtraFunctions& gl = *context()->extraFunctions();
+  gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.glBindVertexArray(0);
+  gl.glDisable(GL_SCISSOR_TEST);
+  gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl.glClearColor(0, 0, 0, 1);
+  gl.glClear(GL_COLOR_BUFFER_BIT);
+  gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.glDisable(GL_DEPTH_TEST);
+  scene_->painting = false;
+}
+
+void Viewport::paintState(QPainter& painter) const {
+  const QColor highlight = palette().color(QPalette::Highlight);
+  if (scene_->progress) {
+    painter.fillRect(rect(), QColor::fromRgbF(0, 0, 0, kDimming));
+    painter.fillRect(QRectF(0, 0, width() * *scene_->progress, kProgressHeight), highlight);
+  }
+  if (scene_->dropHighlighted || scene_->focusShown) {
+    const int w = scene_->dropHighlighted ? 2 * kFrameWidth : kFrameWidth;
+    painter.fillRect(0, 0, width(), w, highlight);
+    painter.fillRect(0, height() - w, width(), w, highlight);
+    painter.fillRect(0, w, w, height() - 2 * w, highlight);
+    painter.fillRect(width() - w, w, w, height() - 2 * w, highlight);
+  }
+  if (scene_->dropHighlighted) {
+    QColor veil = highlight;
+    veil.setAlphaF(0.15F);
+    painter.fillRect(rect(), veil);
+  }
+}
+
+QImage Viewport::picture(std::optional<QSize> size) {
+  if (!isValid()) {
+    (void)grabFramebuffer();  // makes the context
+  }
+  if (!isValid()) {
+    return {};
+  }
+  CameraView shown = view();
+  shown.camera = scene_->camera;
+  const QSize pixels = size.value_or((shown.size * shown.ratio).toSize());
+  shown.size = QSizeF(pixels) / shown.ratio;
+
+  makeCurrent();
+  QImage image;
+  {
+    QOpenGLFramebufferObject target(pixels, QOpenGLFramebufferObject::CombinedDepthStencil);
+    paintFrame(shown, target.handle());
+    target.bind();
+    {
+      QOpenGLPaintDevice device(pixels);
+      device.setDevicePixelRatio(shown.ratio);
+      QPainter painter(&device);
+      paintOver(painter, shown);
+    }
+    target.release();
+    image = target.toImage().convertToFormat(QImage::Format_RGB32);
+  }
+  doneCurrent();
+  update();
+  return image;
+}
+
+Camera Viewport::camera() const {
+  return scene_->camera;
+}
+
+void Viewport::setCamera(const Camera& camera) {
+  scene_->glide.stop();
+  scene_->camera = scene_->shown = camera;
+  scene_->framed = false;
+  scene_->wheelAnchor.reset();
+  update();
+}
+
+void Viewport::setNavigation(Navigation navigation) {
+  scene_->navigation = navigation;
+}
+
+void Viewport::frameScene() {
+  double b[6];
+  scene_->renderer->ComputeVisiblePropBounds(b);
+  if (b[0] > b[1]) {
+    return;
+  }
+  setCamera(view().framing({Point(b[0], b[2], b[4]), Point(b[1], b[3], b[5])}));
+  scene_->framed = true;
+}
+
+void Viewport::frameAll() {
+  frameScene();
+  if (scene_->framed) {
+    Q_EMIT cameraChanged(scene_->camera);
+  }
+}
+
+void Viewport::lookFrom(AxisView view) {
+  moveCamera(lookingFrom(scene_->camera, view));
+}
+
+void Viewport::setBusy(std::optional<double> progress) {
+  scene_->progress = progress;
+  update();
+}
+
+QPointF Viewport::screenPosition(const Point& point) const {
+  return view().project(point);
+}
+
+vtkRenderer* Viewport::renderer() const {
+  return scene_->renderer;
+}
+
+void Viewport::renderLater() {
+  update();
+}
+
+CameraView Viewport::view() const {
+  return {scene_->camera, QSizeF(size()), devicePixelRatioF()};
+}
+
+std::optional<Point> Viewport::surfaceAt(const QPointF& position) const {
+  if (!isValid()) {
+    return {};
+  }
+  const CameraView now = view();
+  const int x = static_cast<int>(std::floor(position.x() * now.ratio));
+  const int y = scene_->window->GetSize()[1] - 1 - static_cast<int>(std::floor(position.y() * now.ratio));
+  vtkGenericOpenGLRenderWindow& window = *scene_->window;
+  window.MakeCurrent();
+  window.GetState()->Reset();
+  window.GetState()->Push();
+  const double z = scene_->renderer->GetZ(x, y);
+  window.GetState()->Pop();
+  if (z >= 1) {
+    return {};
+  }
+  double range[2];
+  scene_->renderer->GetActiveCamera()->GetClippingRange(range);
+  const double depth = range[0] * range[1] / (range[1] - z * (range[1] - range[0]));
+  return now.onPlane(position, now.camera.position + depth * now.forward());
+}
+
+void Viewport::setBackground() {
+  const Theme theme = themeFor(palette());
+  const QColor& top = theme.backgroundTop;
+  const QColor& bottom = theme.backgroundBottom;
+  scene_->renderer->SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
+  scene_->renderer->SetBackground2(top.redF(), top.greenF(), top.blueF());
+}
+
+void Viewport::paintOver(QPainter& /*painter*/, const CameraView& /*view*/) {}
+
+void Viewport::applyTheme(const Theme& /*theme*/) {}
+
+}  // namespace graftsman
+
+#include "moc_viewport.cpp"
