@@ -24,6 +24,10 @@ constexpr double kScaleSettled = 1e-6;
 // part to a speck.
 constexpr double kUnrelated = 1e-9;
 
+// A CV pair's distance, in units of its greatest coordinate, up to which the two are one point: an ulp or two
+// of rounding.
+constexpr double kCoordinateRounding = 4 * 2.220446049250313e-16;
+
 // Points per task: a millisecond for a loop of ordinary size.
 constexpr std::size_t kGrain = 1 << 14;
 
@@ -85,7 +89,7 @@ Error degenerate(std::string message, std::optional<Side> side = {}) {
 class Steps {
  public:
   Steps(std::span<const Point> partCvs, std::span<const Point> baseCvs, const AdjustmentSettings& settings)
-      : settings_(settings), partCvs_(partCvs), baseCentroid_(centroid(baseCvs)) {
+      : settings_(settings), partCvs_(partCvs), baseCvs_(baseCvs), baseCentroid_(centroid(baseCvs)) {
     placement_.from = centroid(partCvs);
     placement_.to = placement_.from - baseCentroid_;
     for (std::size_t i = 0; i < partCvs.size(); ++i) {
@@ -103,6 +107,9 @@ class Steps {
 
   /// STEPs 1 and 2. True if STEP 3 is still wanted.
   [[nodiscard]] Result<bool> run() {
+    if (coincides()) {
+      return false;  // a best rotation would only add rounding errors
+    }
     if (settings_.rigid) {
       fitRigid();
       report_.reached = AdjustmentStep::Rigid;
@@ -193,11 +200,24 @@ class Steps {
     return products > kUnrelated * std::sqrt(squares * baseSquares) && std::isfinite(k) ? k : 0;
   }
 
+  [[nodiscard]] bool coincides() const {
+    for (std::size_t i = 0; i < partCvs_.size(); ++i) {
+      const Point& a = partCvs_[i];
+      const Point& b = baseCvs_[i];
+      const double greatest = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
+      if ((a - b).cwiseAbs().maxCoeff() > kCoordinateRounding * greatest) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   [[nodiscard]] double distance() const { return meanDistance(part_, base_); }
   [[nodiscard]] bool isClose() const { return distance() <= settings_.epsilon * report_.loopDiameter; }
 
   const AdjustmentSettings& settings_;
   std::span<const Point> partCvs_;
+  std::span<const Point> baseCvs_;
   Point baseCentroid_;
   std::vector<Point> centred_;  // the part's CVs as given, relative to their centroid
   std::vector<Point> part_;     // the part's CVs as they stand

@@ -60,8 +60,8 @@ struct Adjustment {
 ///
 /// Differs: k of Eq. 3 is taken with both loops about their centroids, since as printed it depends on where
 /// the origin lies; without the rigid step the part grows about its own loop's centroid. A step that is
-/// switched off is passed over, and nothing moves if the CVs are within ε at the start. More beside
-/// boundaryLines() and LineField.
+/// switched off is passed over, and nothing moves, to the last bit, if the CVs coincide at the start. More
+/// beside boundaryLines() and LineField.
 [[nodiscard]] Result<Adjustment> adjust(std::span<const Point> points, std::span<const Point> partCvs,
                                         std::span<const Point> baseCvs, const AdjustmentSettings& settings,
                                         const Progress& progress);

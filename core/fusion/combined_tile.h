@@ -47,10 +47,10 @@ struct EmbeddedTile {
 };
 
 /// Overlays the two embeddings. Exact predicates on the stored doubles and combinatorics only; zeros are
-/// decided as if the base's interior vertices were shifted by (ε, ε²). Cost O(V + crossings). Part boundary
-/// vertices that come within 1e-3 of the shorter boundary edge there to a base boundary vertex are put at
-/// that vertex, where the part's embedding stays valid: the boundaries' parametrisation is free, and needles
-/// at the seam are not wanted. Errors: CombinedTileTooFine, Cancelled.
+/// decided as if the base's interior vertices were shifted by (ε, ε²). Cost O(V + crossings). Part vertices
+/// that come within 1e-3 of the shortest edge there to a base vertex are put at that vertex, where the part's
+/// embedding stays valid (boundary to boundary, interior to interior): the embedding is free to that extent,
+/// and needles are not wanted. Errors: CombinedTileTooFine, Cancelled.
 [[nodiscard]] Result<CombinedTile> overlay(const EmbeddedTile& part, const EmbeddedTile& base,
                                            const Progress& progress);
 

@@ -6,9 +6,9 @@
 #include "core/base/parallel.h"
 #include "core/fusion/combined_tile.h"
 #include "core/fusion/overlay_cells.h"
-#include "core/fusion/overlay_trace.h"
 #include "core/fusion/overlay_vertices.h"
 #include "core/fusion/seam_merge.h"
+#include "core/fusion/vertex_snap.h"
 
 namespace graftsman {
 namespace {
@@ -78,14 +78,14 @@ Result<CombinedTile> overlay(const EmbeddedTile& part, const EmbeddedTile& base,
   if (!progress.keepGoing(0)) {
     return cancelled();
   }
-  const Result<Layers> layers = mergeSeams(part.embedding, base.embedding);
+  Result<Layers> layers = mergeSeams(part.embedding, base.embedding);
   if (!layers) {
     return fail(layers.error());
   }
   if (!progress.keepGoing(0.2)) {
     return cancelled();
   }
-  Result<Trace> trace = traceBase(*layers, progress.span(0.2, 0.5));
+  Result<Trace> trace = snapAndTrace(*layers, progress.span(0.2, 0.5));
   if (!trace) {
     return fail(trace.error());
   }

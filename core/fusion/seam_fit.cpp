@@ -16,6 +16,9 @@ namespace {
 // overlay.
 constexpr double kSnap = 1e-3;
 
+// Rounding of a position that was turned, scaled and moved, in units of the greatest coordinate.
+constexpr double kRounding = 16 * 2.220446049250313e-16;
+
 /// A vertex of the fitted boundary.
 struct BoundaryVertex {
   BoundaryPosition position;
@@ -158,6 +161,22 @@ class BoundaryDivider {
   std::vector<std::uint8_t> sides_;
 };
 
+double greatestCoordinate(const std::vector<Point>& points) {
+  double greatest = 0;
+  for (const Point& p : points) {
+    greatest = std::max(greatest, p.cwiseAbs().maxCoeff());
+  }
+  return greatest;
+}
+
+// Whether the fitted tile is the base's, vertex by vertex, but for rounding errors.
+bool isBaseTile(const FittedTile& fitted, const Tile& base, double rounding) {
+  return fitted.points.size() == base.points.size() && fitted.faces == base.faces &&
+         std::equal(
+             fitted.points.begin(), fitted.points.end(), base.points.begin(),
+             [&](const Point& a, const Point& b) { return (a - b).cwiseAbs().maxCoeff() <= rounding; });
+}
+
 }  // namespace
 
 FittedTile keepBoundary(const Tile& tile, const Adjustment& adjustment) {
@@ -205,6 +224,11 @@ Result<FittedTile> fitBoundary(const Tile& tile, const Adjustment& adjustment, c
   }
   for (std::size_t v = 0; v < fitted.points.size(); ++v) {
     fitted.points[v] = v < target.size() ? target[v] : Point(fitted.points[v] + (*spread)[v]);
+  }
+  const double farthest =
+      std::max(greatestCoordinate(base.points), adjustment.report.scale * greatestCoordinate(tile.points));
+  if (isBaseTile(fitted, base, kRounding * farthest)) {
+    fitted.points = base.points;  // then its embedding has the same bits, too
   }
   return fitted;
 }

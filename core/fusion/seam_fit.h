@@ -28,6 +28,7 @@ struct FittedTile {
 /// the CVs together, and leave the boundaries between them apart, which shows as a ragged seam. The part's
 /// boundary gets the base's boundary vertices (the faces there are divided), so that nothing is left between
 /// the two curves; part vertices within 1e-3 of the shorter boundary edge of one take its place.
+/// A tile that then differs from the base's by rounding alone becomes the base's.
 /// baseBoundary: the base embedding's. Errors: those of extendHarmonically.
 [[nodiscard]] Result<FittedTile> fitBoundary(const Tile& tile, const Adjustment& adjustment, const Tile& base,
                                              const std::vector<BoundaryPosition>& baseBoundary,

@@ -8,10 +8,11 @@
 
 #include "core/base/parallel.h"
 #include "core/fusion/combined_tile.h"
+#include "core/fusion/overlay_cells.h"
 #include "core/fusion/overlay_predicates.h"
-#include "core/fusion/overlay_trace.h"
 #include "core/fusion/overlay_vertices.h"
 #include "core/fusion/seam_merge.h"
+#include "core/fusion/vertex_snap.h"
 #include "tests/support/embeddings.h"
 
 using namespace graftsman;
@@ -42,21 +43,34 @@ struct Overlaid {
   CombinedTile combined;
 };
 
+template <class T>
+T valueOf(Result<T> result) {
+  if (!result) {
+    throw std::runtime_error(result.error().message);
+  }
+  return std::move(*result);
+}
+
+// Without the snapping of interior vertices: near ones are apart.
+Overlaid overlaidAsTheyAre(const TestTile& part, const TestTile& base) {
+  Overlaid o;
+  o.layers = valueOf(overlay_detail::mergeSeams(part.embedding, base.embedding));
+  o.trace = valueOf(overlay_detail::traceBase(o.layers, {}));
+  o.numbers = overlay_detail::numberVertices(o.layers, o.trace);
+  overlay_detail::placeVertices(part.view(), base.view(), o.layers, o.trace, o.numbers, o.combined);
+  if (const auto filled = overlay_detail::fillCells(o.layers, o.trace, o.numbers, o.combined, {}); !filled) {
+    throw std::runtime_error(filled.error().message);
+  }
+  return o;
+}
+
 Overlaid overlaid(const TestTile& part, const TestTile& base) {
-  auto layers = overlay_detail::mergeSeams(part.embedding, base.embedding);
-  if (!layers) {
-    throw std::runtime_error(layers.error().message);
-  }
-  auto trace = overlay_detail::traceBase(*layers, {});
-  if (!trace) {
-    throw std::runtime_error(trace.error().message);
-  }
-  auto combined = overlay(part.view(), base.view(), {});
-  if (!combined) {
-    throw std::runtime_error(combined.error().message);
-  }
-  auto numbers = overlay_detail::numberVertices(*layers, *trace);
-  return {std::move(*layers), std::move(*trace), std::move(numbers), std::move(*combined)};
+  Overlaid o;
+  o.layers = valueOf(overlay_detail::mergeSeams(part.embedding, base.embedding));
+  o.trace = valueOf(overlay_detail::snapAndTrace(o.layers, {}));
+  o.numbers = overlay_detail::numberVertices(o.layers, o.trace);
+  o.combined = valueOf(overlay(part.view(), base.view(), {}));
+  return o;
 }
 
 /// Each combined vertex's position in rational numbers: the layers' vertices as stored, crossings where the
@@ -226,11 +240,41 @@ void verifyUV(const CombinedTile& c, Index sides) {
 void verify(const TestTile& part, const TestTile& base) {
   const Overlaid o = overlaid(part, base);
   verifyExactly(o);
+  verifyExactly(overlaidAsTheyAre(part, base));
   verifyDisk(o.combined);
   verifyOnSide(o.combined, part, o.combined.onPart, o.combined.part, o.combined.partFaces);
   verifyOnSide(o.combined, base, o.combined.onBase, o.combined.base, o.combined.baseFaces);
   verifyCellsConnected(o.combined);
   verifyUV(o.combined, part.embedding.sides);
+}
+
+/// The square of four corners, 0 to 3, with these interior vertices, from 4 on.
+TestTile square(const std::vector<Point2>& interior, std::vector<Face> faces) {
+  Embedding embedding;
+  embedding.sides = 4;
+  for (Index i = 0; i < 4; ++i) {
+    embedding.boundary.push_back({i, 0});
+    embedding.uv.push_back(boundaryPoint(4, {i, 0}));
+  }
+  embedding.uv.insert(embedding.uv.end(), interior.begin(), interior.end());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    embedding.parents.push_back(static_cast<Index>(f));
+  }
+  embedding.faces = std::move(faces);
+  return shapes::lifted(std::move(embedding), 1);
+}
+
+/// The tile with its interior vertices moved at random by up to `size`.
+TestTile shaken(TestTile tile, double size) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> noise(-size, size);
+  for (std::size_t v = tile.embedding.boundary.size(); v < tile.embedding.uv.size(); ++v) {
+    tile.embedding.uv[v] += Point2(noise(random), noise(random));
+  }
+  if (!shapes::isValid(tile.embedding)) {
+    throw std::runtime_error("shaken too much");
+  }
+  return tile;
 }
 
 bool sameBits(const CombinedTile& a, const CombinedTile& b) {
@@ -290,6 +334,37 @@ class OverlayTest : public QObject {
     QCOMPARE(o.combined.uv.size(), tile.embedding.uv.size());
     QCOMPARE(o.combined.partFaces, o.combined.baseFaces);
     QCOMPARE(o.combined.part, o.combined.base);
+  }
+
+  void nearlyEqualTilesGiveTheTileBack() {
+    const TestTile tile = shapes::randomTile(7, 5, 9, 300);
+    const Overlaid o = overlaid(shaken(tile, 1e-14), tile);
+    verifyExactly(o);
+    QCOMPARE(o.combined.uv, tile.embedding.uv);
+    QCOMPARE(o.combined.faces.size(), tile.embedding.faces.size());
+    QCOMPARE(o.combined.partFaces, o.combined.baseFaces);
+  }
+
+  // The part's face w, p, corner 0 is a needle along the line y = 0, to whose other side w would go.
+  void aVertexIsNotPutWhereATriangleWouldTurnOver() {
+    const double height = 1e-6;
+    const Index w = 4;
+    const Index p = 5;
+    const TestTile part =
+        square({{0, height}, {0.5, 0}}, {{w, 0, 1}, {w, 1, 2}, {w, 2, 3}, {w, 3, p}, {w, p, 0}, {p, 3, 0}});
+    const TestTile base = square({{0, -height}}, {{w, 0, 1}, {w, 1, 2}, {w, 2, 3}, {w, 3, 0}});
+    verify(part, base);
+    QCOMPARE(overlaid(part, base).layers.part.at(w), part.embedding.uv[static_cast<std::size_t>(w)]);
+    const TestTile other = square({{0, 2 * height}}, base.embedding.faces);
+    verify(part, other);
+    QCOMPARE(overlaid(part, other).layers.part.at(w), other.embedding.uv[static_cast<std::size_t>(w)]);
+  }
+
+  void shakenTilesGiveExactOverlays() {
+    const TestTile tile = shapes::randomTile(7, 5, 9, 300);
+    for (const double size : {1e-15, 1e-9, 1e-6, 1e-5}) {
+      verify(shaken(tile, size), tile);
+    }
   }
 
   void nearlyEqualTilesGiveExactOverlays() {
