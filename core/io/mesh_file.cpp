@@ -71,6 +71,10 @@ Result<MeshFormat> formatOf(const std::filesystem::path& path) {
       return format;
     }
   }
+  if (path.empty()) {
+    return fail(ErrorCode::FormatUnknown,
+                "The mesh file's name is empty; the name must end in .obj, .ply, .stl or .off");
+  }
   return fail(ErrorCode::FormatUnknown,
               printable(path.string(), kLongestPath) +
                   ": unknown format; the name must end in .obj, .ply, .stl or .off");

@@ -126,27 +126,23 @@ class ObjParser {
         face[count] = corner;
       } else {
         if (count == 3) {
-          startPolygon(face, 3);
+          mesh_.beginPolygon();
+          mesh_.polygonCorners.insert(mesh_.polygonCorners.end(), face.begin(), face.end());
         }
         mesh_.polygonCorners.push_back(corner);
       }
       ++count;
     }
-    if (count == 0) {
-      return failAt(statement, "the face has no corner");
+    if (count < 3) {
+      return failAt(statement, count == 0 ? "the face has no corner"
+                                          : "the face has " + std::to_string(count) +
+                                                (count == 1 ? " corner" : " corners") +
+                                                ", but a face needs 3 or more; is the file cut off?");
     }
     if (count == 3) {
       mesh_.triangles.push_back(face);
-    } else if (count < 3) {
-      startPolygon(face, count);
     }
     return skipStatement(at, end_);
-  }
-
-  void startPolygon(const Face& face, std::size_t count) {
-    mesh_.beginPolygon();
-    mesh_.polygonCorners.insert(mesh_.polygonCorners.end(), face.begin(),
-                                face.begin() + static_cast<int>(count));
   }
 
   // The corners that nearly all are: a positive number of a few digits. Null: not one of these.
@@ -175,7 +171,7 @@ class ObjParser {
                                           ", but the file has " + std::to_string(soFar) + " vertices so far");
     }
     if (vertexCount_ && vertex >= static_cast<std::int64_t>(*vertexCount_)) {
-      return failAt(at, "a face refers to vertex " + quotedNumber(at, after) + ", but the file has " +
+      return failAt(at, "a face refers to vertex " + numberShown(at, after) + ", but the file has " +
                             std::to_string(*vertexCount_) + " vertices");
     }
     corner = static_cast<Index>(std::min<std::int64_t>(vertex, std::numeric_limits<Index>::max()));
@@ -187,11 +183,6 @@ class ObjParser {
       ++at;
     }
     return at;
-  }
-
-  static std::string quotedNumber(const char* first, const char* last) {
-    const std::string digits(first, last);
-    return digits.size() <= 20 ? digits : digits.substr(0, 20) + "...";
   }
 
   std::nullptr_t failAt(const char* at, const std::string& message) {
@@ -214,6 +205,11 @@ Result<RawMesh> readObj(const ReadInput& input) {
   Result<RawMesh> mesh = parser.parse();
   if (mesh && parser.greatestVertex() >= static_cast<Index>(mesh->points.size())) {
     return ObjParser(input, mesh->points.size()).parse();  // once more, to find the place
+  }
+  if (mesh && mesh->points.empty() && mesh->faceCount() == 0) {
+    return fail(
+        ErrorCode::FileMalformed,
+        input.name + ": does not look like an OBJ file: it has no line with a vertex (v) or a face (f)");
   }
   return mesh;
 }

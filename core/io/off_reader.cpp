@@ -1,6 +1,7 @@
 #include "core/io/off_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 
@@ -71,6 +72,7 @@ class OffParser {
   }
 
   bool parseCounts() {
+    std::array<std::string, 2> declared;
     for (std::size_t* const count : {&vertices_, &faces_}) {
       at_ = skipSpaceAndComments(at_, end_);
       std::int64_t value = 0;
@@ -79,6 +81,7 @@ class OffParser {
         return expected(count == &vertices_ ? "the number of vertices" : "the number of faces");
       }
       *count = static_cast<std::size_t>(value);
+      declared[count == &vertices_ ? 0 : 1] = numberShown(at_, after);
       at_ = after;
     }
     // The number of edges is of no use, and some programs leave it out: it stands on the same line, or alone
@@ -95,9 +98,9 @@ class OffParser {
     // A vertex takes six bytes with its separators, a face two; the last one has no separator.
     const std::size_t left = static_cast<std::size_t>(end_ - at_) + 1;
     if (vertices_ > left / 6 || faces_ > (left - 6 * vertices_) / 2) {
-      return failHere("the header declares " + std::to_string(vertices_) + " vertices and " +
-                      std::to_string(faces_) + " faces, too many for a file of " +
-                      std::to_string(input_.bytes.size()) + " bytes; is it cut off?");
+      return failHere("the header declares " + declared[0] + " vertices and " + declared[1] +
+                      " faces, too many for a file of " + std::to_string(input_.bytes.size()) +
+                      " bytes; is it cut off?");
     }
     if (std::max(vertices_, faces_) > kGreatestCount) {
       return failHere("more than " + std::to_string(kGreatestCount) + " vertices or faces");
@@ -128,7 +131,7 @@ class OffParser {
       return expected("the number of corners of face " + std::to_string(number));
     }
     if (count < 0 || count > (end_ - after) / 2 + 1) {
-      return failHere("face " + std::to_string(number) + " declares " + std::to_string(count) +
+      return failHere("face " + std::to_string(number) + " declares " + numberShown(at_, after) +
                       " corners, which the rest of the file has no room for");
     }
     at_ = after;
@@ -144,7 +147,7 @@ class OffParser {
         return expected("a vertex number of face " + std::to_string(number));
       }
       if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertices_)) {
-        return failHere("face " + std::to_string(number) + " refers to vertex " + std::to_string(vertex) +
+        return failHere("face " + std::to_string(number) + " refers to vertex " + numberShown(at_, after) +
                         ", but the file has " + std::to_string(vertices_) + " vertices, counted from 0");
       }
       at_ = after;

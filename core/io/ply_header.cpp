@@ -131,6 +131,7 @@ class HeaderParser {
       return malformedLine(input_, line, "more than " + std::to_string(kMaxProperties) + " elements");
     }
     element.count = static_cast<std::size_t>(value);
+    element.declared = numberShown(count.data(), after);
     header_.elements.push_back(std::move(element));
     return {};
   }
@@ -175,9 +176,9 @@ class HeaderParser {
       }
       if (row > 0 && element.count > left / row) {
         return malformedLine(input_, element.line,
-                             "the header declares " + std::to_string(element.count) + " elements " +
-                                 shown(element.name) + ", too many for a file of " +
-                                 std::to_string(input_.bytes.size()) + " bytes; is it cut off?");
+                             "the header declares " + element.declared + " elements " + shown(element.name) +
+                                 ", too many for a file of " + std::to_string(input_.bytes.size()) +
+                                 " bytes; is it cut off?");
       }
       if (row > 0 && element.count > kGreatestCount) {
         return malformedLine(

@@ -27,6 +27,7 @@ struct PlyProperty {
 struct PlyElement {
   std::string name;
   std::size_t count = 0;
+  std::string declared;        // the count as the file says it, for messages
   const char* line = nullptr;  // that declares it
   std::vector<PlyProperty> properties;
 };

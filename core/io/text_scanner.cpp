@@ -9,6 +9,7 @@ namespace graftsman {
 namespace {
 
 constexpr std::size_t kQuotedLength = 40;  // characters of a file shown in a message
+constexpr std::size_t kNumberLength = 20;  // digits shown
 
 std::size_t lineNumber(std::span<const char> bytes, const char* at) {
   std::size_t line = 1;
@@ -63,6 +64,11 @@ std::string shown(std::string_view text) {
     }
   }
   return result + (text.size() > kQuotedLength ? "...'" : "'");
+}
+
+std::string numberShown(const char* first, const char* last) {
+  const std::string digits(first, last);
+  return digits.size() <= kNumberLength ? digits : digits.substr(0, kNumberLength) + "...";
 }
 
 tl::unexpected<Error> malformedLine(const ReadInput& input, const char* at, const std::string& message) {

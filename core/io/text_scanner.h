@@ -159,6 +159,9 @@ inline constexpr int kSurelyIndexDigits = 9;
 /// A piece of a file for a message: in quotes, cut off if long, with every unprintable byte escaped.
 [[nodiscard]] std::string shown(std::string_view text);
 
+/// The digits of a number of a file for a message, which may be more than any integer holds: cut off if many.
+[[nodiscard]] std::string numberShown(const char* first, const char* last);
+
 /// The error "name:line: message", for the line that `at` is in.
 [[nodiscard]] tl::unexpected<Error> malformedLine(const ReadInput& input, const char* at,
                                                   const std::string& message);

@@ -207,20 +207,28 @@ void checkShape(const TriangleMesh& mesh, MeshCheck& check) {
   }
   check.boxMin = box.min();
   check.boxMax = box.max();
-  const Point centre = box.min() / 2 + box.max() / 2;
+  // In units of a power of two near the greatest coordinate, so that no square leaves the doubles.
+  int exponent = 0;
+  std::frexp(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()), &exponent);
+  const auto inUnits = [&](const Point& p) {
+    return Point(std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent), std::ldexp(p.z(), -exponent));
+  };
+  const Point centre = (inUnits(box.min()) + inUnits(box.max())) / 2;
   std::vector<double> angles;
   angles.reserve(asSize(mesh.faceCount()));
   for (const Face& face : mesh.faces()) {
-    const Point& a = mesh.point(face[0]);
-    const Point& b = mesh.point(face[1]);
-    const Point& c = mesh.point(face[2]);
+    const Point a = inUnits(mesh.point(face[0]));
+    const Point b = inUnits(mesh.point(face[1]));
+    const Point c = inUnits(mesh.point(face[2]));
     const Point doubled = (b - a).cross(c - a);
     check.area += doubled.norm() / 2;
     check.volume += doubled.dot(a - centre) / 6;
-    const bool degenerate = hasNoArea(a, b, c);
+    const bool degenerate = hasNoArea(mesh.point(face[0]), mesh.point(face[1]), mesh.point(face[2]));
     check.degenerateFaces += degenerate ? 1 : 0;
     angles.push_back(degenerate ? 0 : smallestAngle(a, b, c));
   }
+  check.area = std::ldexp(check.area, 2 * exponent);
+  check.volume = std::ldexp(check.volume, 3 * exponent);
   check.smallestAngle = *std::min_element(angles.begin(), angles.end());
   check.medianSmallestAngle = median(angles);
 }

@@ -1,5 +1,6 @@
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string>
 
 #include "core/mesh/mesh_check.h"
@@ -12,6 +13,9 @@ constexpr int kLengthDigits = 9;
 
 // With so many significant digits, whatever the locale.
 std::string rounded(double value, int digits) {
+  if (std::isinf(value)) {
+    return value > 0 ? "beyond 1.8e308" : "beyond -1.8e308";
+  }
   std::array<char, 64> text = {};
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);

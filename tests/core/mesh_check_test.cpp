@@ -219,6 +219,25 @@ class MeshCheckTest : public QObject {
     QVERIFY(check(points, {{0, 1, 3}}).smallestAngle > 0);
   }
 
+  // Twice the second coordinate is beyond the doubles, and so is every area.
+  void coordinatesAtTheEndOfTheDoublesAreMeasured() {
+    const double far = 1e308;
+    const MeshCheck c = check({{-far, -far, 0}, {far, -far, 0}, {0, far, 0}, {0, 0, far}},
+                              {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}});
+    QCOMPARE(c.degenerateFaces, 0U);
+    QVERIFY(c.smallestAngle > 30 && c.smallestAngle < 60);
+    QVERIFY(c.medianSmallestAngle > 30 && c.medianSmallestAngle < 60);
+    QCOMPARE(c.area, std::numeric_limits<double>::infinity());
+    const std::string text = describe(c);
+    QVERIFY2(text.find("nan") == std::string::npos, text.c_str());
+    QVERIFY2(text.find("area beyond 1.8e308, volume ") != std::string::npos, text.c_str());
+
+    const double near = 1e-200;
+    const MeshCheck small = check({{0, 0, 0}, {near, 0, 0}, {0, near, 0}}, {{0, 1, 2}});
+    QCOMPARE(small.degenerateFaces, 0U);
+    QVERIFY(std::abs(small.smallestAngle - 45) < 1e-9);
+  }
+
   void atMostAHundredDefectsAreListedButAllAreCounted() {
     std::vector<Face> faces;
     for (Index i = 0; i < 150; ++i) {

@@ -117,14 +117,27 @@ class ObjReaderTest : public QObject {
     QCOMPARE(refusal(obj(kCorners + "f 1 \\\n 2 x3\n")), "nose.obj:6: expected a vertex number, found 'x3'");
     QCOMPARE(refusal(obj(kCorners + "f 1 2 3.5\n")), "nose.obj:5: expected a vertex number, found '3.5'");
     QCOMPARE(refusal(obj(kCorners + "f \n")), "nose.obj:5: the face has no corner");
+    QCOMPARE(refusal(obj(kCorners + "f 1 2 3\nf 1 2")),
+             "nose.obj:6: the face has 2 corners, but a face needs 3 or more; is the file cut off?");
+    QCOMPARE(refusal(obj(kCorners + "f 1 \\\n# 2 3\n")),
+             "nose.obj:5: the face has 1 corner, but a face needs 3 or more; is the file cut off?");
   }
 
   void aFileWithoutFacesIsEmpty() {
     const auto file = obj(kCorners);
     QCOMPARE(file.error().code, ErrorCode::MeshEmpty);
     QCOMPARE(file.error().message, "nose.obj: the file has 4 vertices, but no face");
-    QCOMPARE(obj(kCorners + "f 1 1 2\nf 1 2\n").error().message,
+    QCOMPARE(obj(kCorners + "f 1 1 2\nf 2 1 2\n").error().message,
              "nose.obj: the file has 4 vertices, but no face with three different corners");
+  }
+
+  void aFileWithoutVerticesAndFacesIsNoObjFile() {
+    for (const char* const text : {"\x7f\x45\x4c\x46\x02\n\xff", "hello world\n", "# a comment\n", " \n"}) {
+      const auto file = obj(text);
+      QCOMPARE(file.error().code, ErrorCode::FileMalformed);
+      QCOMPARE(file.error().message,
+               "nose.obj: does not look like an OBJ file: it has no line with a vertex (v) or a face (f)");
+    }
   }
 };
 

@@ -55,9 +55,11 @@ class OffReaderTest : public QObject {
              "nose.off:2: the header declares 4000000000 vertices and 1 faces, too many for a file of 25 "
              "bytes; is "
              "it cut off?");
-    QVERIFY(refusal(off("OFF\n1 99999999999999999999 0\n0 0 0\n"))
-                .starts_with("nose.off:2: the header declares 1 "));
-    QVERIFY(!refusal(off("OFF\n99999999999999999999 99999999999999999999 0\n0 0 0\n")).empty());
+    QVERIFY(
+        refusal(off("OFF\n1 99999999999999999999 0\n0 0 0\n"))
+            .starts_with("nose.off:2: the header declares 1 vertices and 99999999999999999999 faces, too"));
+    QVERIFY(refusal(off("OFF\n300000000000000000000000 99999999999999999999 0\n0 0 0\n"))
+                .starts_with("nose.off:2: the header declares 30000000000000000000... vertices and"));
     QCOMPARE(refusal(off("OFF\n-1 1 0\n0 0 0\n")), "nose.off:2: expected the number of vertices, found '-1'");
     QCOMPARE(refusal(off("OFF\n3")), "nose.off:2: expected the number of faces, found the end of the file");
   }
@@ -76,6 +78,11 @@ class OffReaderTest : public QObject {
              "nose.off:7: expected a vertex number of face 0, found the end of the file");
     QCOMPARE(refusal(off(start + "0 1 0\nx 0 1\n")),
              "nose.off:6: expected the number of corners of face 0, found 'x'");
+    QCOMPARE(refusal(off(start + "0 1 0\n3 0 1 99999999999999999999\n")),
+             "nose.off:6: face 0 refers to vertex 99999999999999999999, but the file has 3 vertices, counted "
+             "from 0");
+    QVERIFY(refusal(off(start + "0 1 0\n99999999999999999999 0 1 2\n"))
+                .starts_with("nose.off:6: face 0 declares 99999999999999999999 corners"));
     QVERIFY(refusal(off(start + "0 1 0\n999999999 0 1 2\n"))
                 .starts_with("nose.off:6: face 0 declares 999999999 corners"));
   }

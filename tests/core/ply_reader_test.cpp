@@ -208,6 +208,9 @@ class PlyReaderTest : public QObject {
              "nose.ply:3: the header declares 4000000000 elements 'vertex', too many for a file of 124 "
              "bytes; is it cut "
              "off?");
+    QVERIFY(
+        refusal(ply(header("ascii", "element vertex 99999999999999999999\n" + kXyz)))
+            .starts_with("nose.ply:3: the header declares 99999999999999999999 elements 'vertex', too many"));
     QVERIFY(!refusal(ply(ascii("element vertex 3\n" + kXyz + "element face 99999999999999\n" + kList,
                                "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")))
                  .empty());
