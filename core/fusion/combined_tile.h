@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/fusion/embedding.h"
+#include "core/fusion/tile_locations.h"
 
 namespace graftsman {
 
@@ -14,13 +15,6 @@ namespace graftsman {
 struct SeamPosition {
   Index edge = 0;
   double t = 0;
-};
-
-/// Where a vertex of the combined tile lies on one embedding.
-struct TileLocation {
-  enum class Kind : std::uint8_t { OnVertex, OnEdge, InFace } kind = Kind::OnVertex;
-  std::array<Index, 3> corners = {-1, -1, -1};         // vertices of the embedding; 1, 2 or 3 of them
-  Eigen::Vector3d weights = Eigen::Vector3d(1, 0, 0);  // each in [0, 1], sum 1, 0 where unused
 };
 
 /// The common refinement of two embeddings (Kanai et al. 1999, §2.2): every triangle lies in exactly one
@@ -33,8 +27,8 @@ struct CombinedTile {
   std::vector<Face> faces;               // F×3, counter-clockwise
   std::vector<Index> partFaces;          // F; the part embedding's face that each lies in
   std::vector<Index> baseFaces;          // F
-  std::vector<TileLocation> onPart;      // V
-  std::vector<TileLocation> onBase;      // V
+  TileLocations onPart;                  // V
+  TileLocations onBase;                  // V
   Index seamSize = 0;                    // the first vertices are the seam, in loop order from CV 0
   std::vector<SeamPosition> seamOnPart;  // seamSize
   std::vector<SeamPosition> seamOnBase;  // seamSize

@@ -28,10 +28,21 @@ struct Trace {
   std::vector<Crossing> crossings;
   std::vector<Index> firstOnBase;  // of each base halfedge, the first crossing along it, or −1
   std::vector<Index> firstOnPart;  // of each part halfedge, likewise
-  std::vector<Index> partOrder;   // crossings, those of one part edge consecutive, along its smaller halfedge
-  std::vector<Index> partSlot;    // of each crossing, its place in partOrder
   std::vector<Index> baseInPart;  // of each interior vertex of the base, the part's face; −1 for the seam's
   std::vector<Index> partInBase;  // of each interior vertex of the part, the base's face
+
+  /// The crossing after c along the halfedge h of the part (of the base), which both lie on; −1 after the
+  /// last.
+  [[nodiscard]] Index afterOnPart(Index c, Index h) const {
+    const Crossing& crossing = crossings[static_cast<std::size_t>(c)];
+    return crossing.part == h ? crossing.partNext : crossing.partPrev;
+  }
+  [[nodiscard]] Index afterOnBase(Index c, Index h) const {
+    const Index base = crossings[static_cast<std::size_t>(c)].base;
+    const Index next = base == h ? c + 1 : c - 1;
+    const bool exists = next >= 0 && next < static_cast<Index>(crossings.size());
+    return exists && crossings[static_cast<std::size_t>(next)].base == base ? next : -1;
+  }
 };
 
 /// The error for layers that do not fit each other as exact triangulations of one polygon do, and for more

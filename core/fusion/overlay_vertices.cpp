@@ -113,9 +113,13 @@ class VertexWriter {
         baseLocations_(layers.base, base.points),
         combined_(combined) {
     const auto count = static_cast<std::size_t>(numbers.count);
+    const auto baseCount = static_cast<std::size_t>(layers.base.vertexCount());
+    const auto seam = static_cast<std::size_t>(layers.base.seamSize());
+    gatherDividing();
     combined.uv.resize(count);
-    combined.onPart.resize(count);
-    combined.onBase.resize(count);
+    combined.onPart = TileLocations(count, baseCount - seam + dividingPart_.size());
+    combined.onBase = TileLocations(
+        count, static_cast<std::size_t>(numbers.firstCrossing) - baseCount + dividingBase_.size());
     combined.part.resize(count);
     combined.base.resize(count);
   }
@@ -153,6 +157,7 @@ class VertexWriter {
         }
       }
     });
+    writeDividing();
   }
 
  private:
@@ -169,6 +174,49 @@ class VertexWriter {
     const Place& place = numbers_.partOnBase[static_cast<std::size_t>(w)];
     const Point2& uv = layers_.part.at(w);
     write(i, uv, partLocations_.atVertex(w), locate(baseLocations_, place, uv));
+  }
+
+  // Which crossings lie on an edge of a layer that divides a face of its embedding, and so in that face. Such
+  // an edge leaves a vertex of the seam that the other embedding brought.
+  void gatherDividing() {
+    const auto divides = [](const Layer& layer, Index h) {
+      return layer.seam[static_cast<std::size_t>(layer.from(h))].t != 0;
+    };
+    const auto add = [&](std::vector<Index>& dividing, Index c) {
+      if (trace_.crossings[static_cast<std::size_t>(c)].vertex >= numbers_.firstCrossing) {
+        dividing.push_back(c);
+      }
+    };
+    for (const SeamFans::Spoke& spoke : trace_.fans.spokes) {
+      const Index h = spoke.halfedge;
+      if (spoke.ofPart && divides(layers_.part, h)) {
+        for (Index c = trace_.firstOnPart[static_cast<std::size_t>(h)]; c >= 0;
+             c = trace_.afterOnPart(c, h)) {
+          add(dividingPart_, c);
+        }
+      } else if (!spoke.ofPart && divides(layers_.base, h)) {
+        for (Index c = trace_.firstOnBase[static_cast<std::size_t>(h)]; c >= 0;
+             c = trace_.afterOnBase(c, h)) {
+          add(dividingBase_, c);
+        }
+      }
+    }
+  }
+
+  void writeDividing() {
+    const auto at = [&](Index c) -> const Crossing& { return trace_.crossings[static_cast<std::size_t>(c)]; };
+    auto slot = static_cast<std::size_t>(layers_.base.vertexCount() - layers_.base.seamSize());
+    for (const Index c : dividingPart_) {
+      const double t = fractions_[static_cast<std::size_t>(c)].onPart;
+      combined_.onPart.set(static_cast<std::size_t>(at(c).vertex), partLocations_.onEdge(at(c).part, t),
+                           slot++);
+    }
+    slot = static_cast<std::size_t>(numbers_.firstCrossing - layers_.base.vertexCount());
+    for (const Index c : dividingBase_) {
+      const double t = fractions_[static_cast<std::size_t>(c)].onBase;
+      combined_.onBase.set(static_cast<std::size_t>(at(c).vertex), baseLocations_.onEdge(at(c).base, t),
+                           slot++);
+    }
   }
 
   void writeCrossing(std::size_t c) {
@@ -228,15 +276,24 @@ class VertexWriter {
 
   void write(std::size_t i, const Point2& uv, const TileLocation& onPart, const TileLocation& onBase) {
     combined_.uv[i] = uv;
-    combined_.onPart[i] = onPart;
-    combined_.onBase[i] = onBase;
+    place(combined_.onPart, i, onPart, static_cast<std::size_t>(layers_.base.seamSize()));
+    place(combined_.onBase, i, onBase, static_cast<std::size_t>(layers_.base.vertexCount()));
     combined_.part[i] = partLocations_.position(onPart);
     combined_.base[i] = baseLocations_.position(onBase);
+  }
+
+  // A layer's own vertices in faces have the first slots; crossings in faces wait for writeDividing().
+  void place(TileLocations& locations, std::size_t i, const TileLocation& location, std::size_t firstSlot) {
+    if (location.kind != TileLocation::Kind::InFace || i < static_cast<std::size_t>(numbers_.firstCrossing)) {
+      locations.set(i, location, i - firstSlot);
+    }
   }
 
   const Layers& layers_;
   const Trace& trace_;
   const VertexNumbers& numbers_;
+  std::vector<Index> dividingPart_;  // crossings in faces of the part's embedding; of the base's
+  std::vector<Index> dividingBase_;
   const LayerLocations partLocations_;
   const LayerLocations baseLocations_;
   std::vector<Fractions> fractions_;

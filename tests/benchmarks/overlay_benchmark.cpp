@@ -6,15 +6,18 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
+#include <fstream>
+#include <memory>
 #include <set>
+#include <string>
 
 #include "core/base/parallel.h"
 #include "core/fusion/combined_tile.h"
 #include "tests/support/embeddings.h"
 
 // The overlay of two embedded tiles against CGAL's overlay of the same two planar subdivisions. The argument
-// is the number of faces of each tile. `bytes` is what is held of the heap when the overlay is done, inputs
-// apart; `peak` the most held at once during it.
+// is the number of faces of each tile. `bytes` is what the process holds more when the overlay is done;
+// `peak` the most that it held more at once.
 
 namespace {
 
@@ -40,21 +43,49 @@ const Tiles& tiles(std::int64_t faces) {
       .first->second;
 }
 
-double heapInUse() {
-  const struct mallinfo2 info = mallinfo2();
-  return static_cast<double>(info.uordblks + info.hblkhd);
+/// How much memory the process holds, in bytes: now, and the most since reset().
+class Memory {
+ public:
+  // Gives freed memory back first, so that what is used again counts again.
+  static void reset() {
+    malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << "5";
+  }
+  static double now() { return field("VmRSS:"); }
+  static double most() { return field("VmHWM:"); }
+
+ private:
+  static double field(const std::string& name) {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+      double kilobytes = 0;
+      if (word == name && status >> kilobytes) {
+        return 1024 * kilobytes;
+      }
+    }
+    return 0;
+  }
+};
+
+/// What one run of `overlayOnce` adds to the process: what its result holds, and the most at once.
+template <class OverlayOnce>
+void countMemory(benchmark::State& state, OverlayOnce overlayOnce) {
+  Memory::reset();
+  const double before = Memory::now();
+  const auto result = overlayOnce();
+  benchmark::DoNotOptimize(&result);
+  const double peak = Memory::most() - before;
+  malloc_trim(0);
+  state.counters["bytes"] = Memory::now() - before;
+  state.counters["peak"] = peak;
 }
 
 void ours(benchmark::State& state) {
   const Tiles& input = tiles(state.range(0));
   setThreadCount(1);
   double vertices = 0;
-  double bytes = 0;
-  double peak = 0;
   for (auto _ : state) {
-    const double before = heapInUse();
     const auto combined = overlay(input.part.view(), input.base.view(), {});
-    bytes = heapInUse() - before;
     if (!combined) {
       state.SkipWithError(combined.error().message.c_str());
       break;
@@ -62,18 +93,8 @@ void ours(benchmark::State& state) {
     vertices = static_cast<double>(combined->uv.size());
     benchmark::DoNotOptimize(combined->uv.data());
   }
-  // Once more, looking at the heap whenever a step reports.
-  const double before = heapInUse();
-  const Progress watching(
-      [&](double) {
-        peak = std::max(peak, heapInUse() - before);
-        return true;
-      },
-      std::chrono::milliseconds(0));
-  benchmark::DoNotOptimize(overlay(input.part.view(), input.base.view(), watching));
+  countMemory(state, [&] { return overlay(input.part.view(), input.base.view(), {}); });
   state.counters["vertices"] = vertices;
-  state.counters["bytes"] = bytes;
-  state.counters["peak"] = peak;
 }
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -106,16 +127,17 @@ void cgalArrangement(benchmark::State& state) {
   const Arrangement part = arrangement(input.part.embedding);
   const Arrangement base = arrangement(input.base.embedding);
   double vertices = 0;
-  double bytes = 0;
   for (auto _ : state) {
-    const double before = heapInUse();
     Arrangement result;
     CGAL::overlay(part, base, result);
-    bytes = heapInUse() - before;
     vertices = static_cast<double>(result.number_of_vertices());
   }
+  countMemory(state, [&] {
+    auto result = std::make_unique<Arrangement>();
+    CGAL::overlay(part, base, *result);
+    return result;
+  });
   state.counters["vertices"] = vertices;
-  state.counters["bytes"] = bytes;
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ double area(const Point& a, const Point& b, const Point& c) {
 }
 
 // Every face lies on the face of the tile that it names, and together they fill the tile's surface.
-void verifyOnSide(const CombinedTile& c, const TestTile& tile, const std::vector<TileLocation>& locations,
+void verifyOnSide(const CombinedTile& c, const TestTile& tile, const TileLocations& locations,
                   const std::vector<Point>& positions, const std::vector<Index>& parents) {
   double diagonal = 0;
   for (const Point& p : tile.points) {
@@ -172,7 +172,8 @@ void verifyOnSide(const CombinedTile& c, const TestTile& tile, const std::vector
     for (std::size_t k = 0; k < 3; ++k) {
       const auto v = static_cast<std::size_t>(c.faces[f][k]);
       corners[k] = positions[v];
-      for (const Index corner : locations[v].corners) {
+      const TileLocation location = locations[v];
+      for (const Index corner : location.corners) {
         QVERIFY(corner < 0 || std::find(parent.begin(), parent.end(), corner) != parent.end());
       }
     }
@@ -185,7 +186,7 @@ void verifyOnSide(const CombinedTile& c, const TestTile& tile, const std::vector
   }
   QVERIFY(std::abs(sum - whole) < 1e-9 * whole);
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    const TileLocation& location = locations[v];
+    const TileLocation location = locations[v];
     QVERIFY(location.weights.minCoeff() >= 0 && location.weights.maxCoeff() <= 1);
     QVERIFY(std::abs(location.weights.sum() - 1) < 1e-15 * 8);
     QVERIFY((positionOf(location, tile) - positions[v]).norm() <= 1e-15 * diagonal);
