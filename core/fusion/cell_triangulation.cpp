@@ -1,6 +1,6 @@
 #include "core/fusion/cell_triangulation.h"
 
-#include <algorithm>
+#include <Eigen/Core>
 #include <array>
 #include <cassert>
 
@@ -11,47 +11,48 @@ namespace {
 // triangle finite.
 constexpr double kWorstShape = 1e-12;
 
-/// A cell's corners on one surface: their squared distances, from which the triangles' shapes follow.
-class Corners {
+/// A number of the part's surface, and one of the base's: they go through the arithmetic together.
+using Both = Eigen::Array2d;
+
+/// A cell's corners, and their squared distances on both surfaces, from which the triangles' shapes follow.
+class Cell {
  public:
-  Corners(std::span<const Index> corners, std::span<const Point> points) {
+  Cell(std::span<const Index> corners, std::span<const Point> part, std::span<const Point> base)
+      : corners_(corners) {
     for (std::size_t j = 1; j < corners.size(); ++j) {
       for (std::size_t i = 0; i < j; ++i) {
-        squared_[i][j] =
-            (points[static_cast<std::size_t>(corners[j])] - points[static_cast<std::size_t>(corners[i])])
-                .squaredNorm();
+        const auto a = static_cast<std::size_t>(corners[i]);
+        const auto b = static_cast<std::size_t>(corners[j]);
+        const Both x(part[b].x() - part[a].x(), base[b].x() - base[a].x());
+        const Both y(part[b].y() - part[a].y(), base[b].y() - base[a].y());
+        const Both z(part[b].z() - part[a].z(), base[b].z() - base[a].z());
+        squared_[i][j] = x * x + y * y + z * z;
       }
     }
   }
 
-  // 1 / shape for i < j < k, where the shape is 1 for an equilateral triangle, 0 for a flat one, of any size.
-  [[nodiscard]] double badness(std::size_t i, std::size_t j, std::size_t k) const {
-    const double a = squared_[i][j];
-    const double b = squared_[j][k];
-    const double c = squared_[i][k];
-    const double lengths = a + b + c;
-    const double worst = lengths * lengths;
-    const double flat = a + b - c;
-    const double area = std::max(0.0, 4 * a * b - flat * flat);  // (4 · area)², by Heron
-    return worst > 0 ? worst / (3 * area + kWorstShape * worst) : 1 / kWorstShape;
+  [[nodiscard]] std::size_t size() const { return corners_.size(); }
+  [[nodiscard]] Face face(std::size_t i, std::size_t j, std::size_t k) const {
+    return {corners_[i], corners_[j], corners_[k]};
+  }
+
+  // Of a triangle i < j < k, 1 / shape on both surfaces together, where the shape is 1 for an equilateral
+  // triangle, 0 for a flat one, of any size.
+  [[nodiscard]] double cost(std::size_t i, std::size_t j, std::size_t k) const {
+    const Both& a = squared_[i][j];
+    const Both& b = squared_[j][k];
+    const Both& c = squared_[i][k];
+    const Both lengths = a + b + c;
+    const Both worst = lengths * lengths;
+    const Both flat = a + b - c;
+    const Both area = (4 * a * b - flat * flat).max(0);  // (4 · area)², by Heron
+    const Both badness = worst / (3 * area + kWorstShape * worst);
+    return (worst[0] > 0 ? badness[0] : 1 / kWorstShape) + (worst[1] > 0 ? badness[1] : 1 / kWorstShape);
   }
 
  private:
-  std::array<std::array<double, kMostCorners>, kMostCorners> squared_;  // [i][j] for i < j
-};
-
-/// The corners on both surfaces.
-struct Cell {
-  std::span<const Index> corners;
-  Corners part;
-  Corners base;
-
-  [[nodiscard]] double cost(std::size_t i, std::size_t j, std::size_t k) const {
-    return part.badness(i, j, k) + base.badness(i, j, k);
-  }
-  [[nodiscard]] Face face(std::size_t i, std::size_t j, std::size_t k) const {
-    return {corners[i], corners[j], corners[k]};
-  }
+  std::span<const Index> corners_;
+  std::array<std::array<Both, kMostCorners>, kMostCorners> squared_;  // [i][j] for i < j
 };
 
 void triangulateQuad(const Cell& cell, std::vector<Face>& out) {
@@ -66,7 +67,7 @@ void triangulateQuad(const Cell& cell, std::vector<Face>& out) {
 
 // The least total cost by dynamic programming over the chords i–j that cut off corners i … j.
 void triangulateByTable(const Cell& cell, std::vector<Face>& out) {
-  const std::size_t n = cell.corners.size();
+  const std::size_t n = cell.size();
   std::array<std::array<double, kMostCorners>, kMostCorners> best = {};
   std::array<std::array<std::size_t, kMostCorners>, kMostCorners> middle;
   for (std::size_t length = 2; length < n; ++length) {
@@ -104,7 +105,7 @@ void triangulateCell(std::span<const Index> corners, std::span<const Point> part
     out.push_back({corners[0], corners[1], corners[2]});
     return;
   }
-  const Cell cell{corners, {corners, part}, {corners, base}};
+  const Cell cell(corners, part, base);
   if (corners.size() == 4) {
     triangulateQuad(cell, out);
   } else {

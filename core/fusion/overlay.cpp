@@ -90,11 +90,13 @@ Result<CombinedTile> overlay(const EmbeddedTile& part, const EmbeddedTile& base,
     return fail(trace.error());
   }
   CombinedTile combined;
-  const VertexNumbers numbers = numberVertices(*layers, *trace);
+  VertexNumbers numbers = numberVertices(*layers, *trace);
   if (!progress.keepGoing(0.5)) {
     return cancelled();
   }
   placeVertices(part, base, *layers, *trace, numbers, combined);
+  numbers.baseOnPart = {};  // of no more use, and the faces want memory
+  numbers.partOnBase = {};
   fillSeamDistances(part.embedding.sides, combined);
   if (auto filled = fillCells(*layers, *trace, numbers, combined, progress.span(0.7, 1)); !filled) {
     return fail(filled.error());

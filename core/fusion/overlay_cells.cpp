@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/large_array.h"
 #include "core/base/parallel.h"
 #include "core/fusion/cell_triangulation.h"
 
@@ -48,9 +49,9 @@ struct CellFaces {
   std::vector<Index> baseFaces;
 
   void reserve(std::size_t count) {
-    faces.reserve(count);
-    partFaces.reserve(count);
-    baseFaces.reserve(count);
+    reserveLarge(faces, count);
+    reserveLarge(partFaces, count);
+    reserveLarge(baseFaces, count);
   }
   void append(const CellFaces& other) {
     faces.insert(faces.end(), other.faces.begin(), other.faces.end());

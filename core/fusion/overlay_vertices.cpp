@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/large_array.h"
 #include "core/base/parallel.h"
 #include "core/fusion/layer_locations.h"
 #include "core/fusion/overlay_predicates.h"
@@ -116,6 +117,9 @@ class VertexWriter {
     const auto baseCount = static_cast<std::size_t>(layers.base.vertexCount());
     const auto seam = static_cast<std::size_t>(layers.base.seamSize());
     gatherDividing();
+    reserveLarge(combined.uv, count);
+    reserveLarge(combined.part, count);
+    reserveLarge(combined.base, count);
     combined.uv.resize(count);
     combined.onPart = TileLocations(count, baseCount - seam + dividingPart_.size());
     combined.onBase = TileLocations(

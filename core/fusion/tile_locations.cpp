@@ -2,7 +2,14 @@
 
 #include <algorithm>
 
+#include "core/base/large_array.h"
+
 namespace graftsman {
+
+TileLocations::TileLocations(std::size_t count, std::size_t inFaces) : faces_(inFaces) {
+  reserveLarge(places_, count);
+  places_.resize(count);
+}
 
 TileLocation TileLocations::operator[](std::size_t vertex) const {
   using Kind = TileLocation::Kind;

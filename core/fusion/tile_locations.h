@@ -22,7 +22,7 @@ class TileLocations {
  public:
   /// Of `count` vertices, of which those in faces will have the slots 0 … inFaces − 1.
   TileLocations() = default;
-  TileLocations(std::size_t count, std::size_t inFaces) : places_(count), faces_(inFaces) {}
+  TileLocations(std::size_t count, std::size_t inFaces);
 
   [[nodiscard]] std::size_t size() const { return places_.size(); }
   [[nodiscard]] TileLocation operator[](std::size_t vertex) const;
