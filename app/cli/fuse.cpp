@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "app/cli/commands.h"
@@ -95,6 +96,12 @@ Result<void> checkTargets(const FuseOptions& options, const Scenario& scenario) 
 }
 
 Result<void> run(const FuseOptions& options) {
+  for (const auto& [name, what] : {std::pair(options.input, "input"), std::pair(options.output, "output"),
+                                   std::pair(options.report.value_or("-"), "report")}) {
+    if (name.empty()) {
+      return fail(ErrorCode::FileUnreadable, std::string("The ") + what + "'s file name is empty; give one.");
+    }
+  }
   if (!isGlb(options.output) && !formatOf(options.output)) {
     return fail(ErrorCode::FormatUnknown,
                 options.output +
@@ -140,7 +147,16 @@ Result<void> run(const FuseOptions& options) {
                                  .readMilliseconds = readMilliseconds,
                                  .writeMilliseconds = writeMilliseconds,
                                  .totalMilliseconds = totalMilliseconds};
-  return writeReport(*options.report, formatReport(results, verify(results), context));
+  const Verification verification = verify(results);
+  if (Result<void> written = writeReport(*options.report, formatReport(results, verification, context));
+      !written) {
+    return written;
+  }
+  if (!verification.holds()) {
+    return fail(ErrorCode::Unexpected, options.output + ": written, but not as it must be: " +
+                                           verification.broken() + ". Please report this with the scenario.");
+  }
+  return {};
 }
 
 }  // namespace

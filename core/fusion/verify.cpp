@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -151,6 +152,15 @@ Index countChanged(const FusionResults& results) {
   return changed;
 }
 
+// Three digits, whatever the locale.
+std::string shortText(double value) {
+  constexpr int kDigits = 3;
+  std::array<char, 32> text = {};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits);
+  return std::string(text.data(), end.ptr);
+}
+
 }  // namespace
 
 bool Verification::topologyKept() const {
@@ -159,10 +169,25 @@ bool Verification::topologyKept() const {
          result.borderLoops == base.borderLoops;
 }
 
-bool Verification::holds() const {
+std::string Verification::broken() const {
   constexpr double kAreaTolerance = 1e-12;
-  return baseUnchanged() && topologyKept() && invertedFaces == 0 && embeddedAreaError <= kAreaTolerance &&
-         baseDistance <= tolerance && partDistance <= tolerance;
+  std::string list;
+  const auto expect = [&list](bool holds, const std::string& otherwise) {
+    if (!holds) {
+      list += (list.empty() ? "" : ", ") + otherwise;
+    }
+  };
+  expect(baseUnchanged(),
+         std::to_string(changedBaseVertices) + " vertices of the base outside the tile moved");
+  expect(topologyKept(), "the result is not as closed, manifold or oriented as the base");
+  expect(invertedFaces == 0, std::to_string(invertedFaces) + " faces of the combined tile are turned over");
+  expect(embeddedAreaError <= kAreaTolerance,
+         "the combined tile's area is off by " + shortText(embeddedAreaError) + " of it");
+  expect(baseDistance <= tolerance,
+         "the combined tile leaves the base by " + shortText(baseDistance) + " of its diagonal");
+  expect(partDistance <= tolerance, "the combined tile leaves the adjusted part by " +
+                                        shortText(partDistance) + " of the base's diagonal");
+  return list;
 }
 
 Verification verify(const FusionResults& results) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "core/fusion/update.h"
 #include "core/mesh/mesh_check.h"
 
@@ -31,7 +33,9 @@ struct Verification {
   [[nodiscard]] bool topologyKept() const;
   /// All of it, with distances within 1e-12 of the diagonal (or the rounding of coordinates far from the
   /// origin).
-  [[nodiscard]] bool holds() const;
+  [[nodiscard]] bool holds() const { return broken().empty(); }
+  /// What does not hold, with its numbers, as a list for one sentence; empty if all does.
+  [[nodiscard]] std::string broken() const;
   double tolerance = 1e-12;  // of the distances, as a fraction of the base's diagonal
 };
 

@@ -66,6 +66,18 @@ class CliTest : public QObject {
     QCOMPARE(runCli({"fuse", "--help"}).exitCode, 0);
   }
 
+  void anEmptyFileNameIsNamed() {
+    const QString nose = scenario("fig8b_cone_nose");
+    for (const QStringList& arguments :
+         {QStringList{"check", ""}, QStringList{"fuse", "", "-o", "a.obj"},
+          QStringList{"fuse", nose, "-o", ""}, QStringList{"fuse", nose, "-o", "a.obj", "--report", ""}}) {
+      const Outcome outcome = runCli(arguments);
+      verifyOneLineError(outcome);
+      QVERIFY2(outcome.err.contains("file name is empty") || outcome.err.contains("file's name is empty"),
+               outcome.err);
+    }
+  }
+
   void versionIsOneLine() {
     const Outcome outcome = runCli({"--version"});
     QCOMPARE(outcome.exitCode, 0);

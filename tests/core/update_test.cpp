@@ -65,6 +65,20 @@ class UpdateTest : public QObject {
     QVERIFY(verification.holds());
   }
 
+  void aVerificationSaysWhatDoesNotHold() {
+    Verification verification;
+    QVERIFY(verification.holds());
+    verification.invertedFaces = 3;
+    verification.partDistance = 0.0123456;
+    QVERIFY(!verification.holds());
+    QCOMPARE(verification.broken(),
+             "3 faces of the combined tile are turned over, the combined tile leaves the adjusted part by "
+             "0.0123 of "
+             "the base's diagonal");
+    verification.changedBaseVertices = 2;
+    QVERIFY(verification.broken().starts_with("2 vertices of the base outside the tile moved, 3 faces"));
+  }
+
   void withTheZeroCurveTheResultIsTheBasesSurface_data() { addScenarioRows(); }
   void withTheZeroCurveTheResultIsTheBasesSurface() {
     QFETCH(QString, scenario);
