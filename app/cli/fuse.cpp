@@ -7,12 +7,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
 #include "core/base/write_file.h"
-#include "core/fusion/blend.h"
 #include "core/fusion/update.h"
 #include "core/fusion/verify.h"
-#include "core/io/glb_writer.h"
-#include "core/io/mesh_file.h"
 #include "core/io/report.h"
+#include "core/io/result_file.h"
 #include "core/io/scenario.h"
 
 using namespace graftsman;
@@ -31,32 +29,6 @@ Error naming(const std::string& file, Error error) {
     error.message = file + ": " + error.message;
   }
   return error;
-}
-
-bool isGlb(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) {
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return ending == ".glb";
-}
-
-// The morph from the base's shape (weight 0) to the part's (weight 1), shown at the end where the curve is on
-// average.
-Result<void> writeMorph(const std::filesystem::path& path, const FusionResults& results) {
-  std::vector<Point> part = results.join->points;
-  const std::vector<Index>& target = results.join->tileVertices;
-  for (std::size_t i = 0; i < target.size(); ++i) {
-    part[static_cast<std::size_t>(target[i])] = results.combined->part[i];
-  }
-  return writeGlb(path, {results.join->points, part, results.fused->faces()});
-}
-
-Result<void> write(const std::filesystem::path& path, const FusionResults& results) {
-  if (isGlb(path)) {
-    return writeMorph(path, results);
-  }
-  return writeMesh(path, results.fused->points, results.fused->faces(), {}, terminalProgress("Writing"));
 }
 
 Result<void> writeReport(const std::string& path, const std::string& text) {
@@ -95,7 +67,7 @@ Result<void> checkTargets(const FuseOptions& options, const Scenario& scenario) 
 }
 
 Result<void> run(const FuseOptions& options) {
-  if (!isGlb(options.output) && !formatOf(options.output)) {
+  if (!isResultName(options.output)) {
     return fail(ErrorCode::FormatUnknown,
                 options.output +
                     ": unknown format. Give the output a name that ends in .obj, .ply, .stl, .off or .glb.");
@@ -123,7 +95,7 @@ Result<void> run(const FuseOptions& options) {
     return fail(naming(options.input, *results.error));
   }
   const Clock::time_point writeStart = Clock::now();
-  if (Result<void> written = write(options.output, results); !written) {
+  if (Result<void> written = writeResult(options.output, results, terminalProgress("Writing")); !written) {
     return written;
   }
   const double writeMilliseconds = millisecondsSince(writeStart);
