@@ -1,7 +1,6 @@
 #include "app/workbench/actions.h"
 
 #include <QActionGroup>
-#include <QCoreApplication>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -120,10 +119,6 @@ constexpr Entry kEntries[] = {
 };
 
 #undef TEXT
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("graftsman::Actions", text);
-}
 
 }  // namespace
 
