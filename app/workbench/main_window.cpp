@@ -15,6 +15,7 @@
 #include "app/document/stage_runner.h"
 #include "app/workbench/actions.h"
 #include "app/workbench/autosave.h"
+#include "app/workbench/first_view.h"
 #include "app/workbench/fusion_page.h"
 #include "app/workbench/job_queue.h"
 #include "app/workbench/start_page.h"
@@ -34,6 +35,7 @@ namespace {
 
 constexpr auto kLayoutKey = "window/layout";
 constexpr auto kGeometryKey = "window/geometry";
+constexpr auto kClosedByPerson = "closedByPerson";
 // Of saveState(): another number after a change of docks or bars.
 constexpr int kLayoutVersion = 1;
 
@@ -90,7 +92,11 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
   enableActions();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // What ends with the document tells it to nobody.
+  model_->history()->disconnect();
+  model_->disconnect();
+}
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content) {
   auto* dock = new QDockWidget(title, this);
@@ -118,6 +124,11 @@ void MainWindow::makePanels() {
   tabifyDockWidget(adjustment, stages);
   tabifyDockWidget(stages, history);
   adjustment->raise();
+  sharedDocks_ = {adjustment, stages, history};
+  for (QDockWidget* dock : sharedDocks_) {
+    connect(dock->toggleViewAction(), &QAction::triggered, dock,
+            [dock](bool shown) { dock->setProperty(kClosedByPerson, !shown); });
+  }
   resizeDocks({pairsDock_, curveDock_}, {360, 360}, Qt::Horizontal);
 }
 
@@ -273,8 +284,7 @@ void MainWindow::setMode(Mode mode) {
   pages_->setCurrentWidget(mode == Mode::Tiles    ? static_cast<QWidget*>(tiles_)
                            : mode == Mode::Fusion ? static_cast<QWidget*>(fusion_)
                                                   : start_);
-  pairsDock_->setVisible(mode == Mode::Tiles);
-  curveDock_->setVisible(mode == Mode::Fusion);
+  showDocksOf(mode);
   (*actions_)[mode == Mode::Tiles    ? "tilesMode"
               : mode == Mode::Fusion ? "fusionMode"
                                      : "startPage"]
@@ -283,6 +293,33 @@ void MainWindow::setMode(Mode mode) {
     viewport->setFocus();
   }
   enableActions();
+}
+
+// The pairs belong to Tiles mode, the curve to Fusion mode; the other panels are in both, those that the
+// person closed in neither; none is on the start page.
+void MainWindow::showDocksOf(Mode mode) {
+  pairsDock_->setVisible(mode == Mode::Tiles);
+  curveDock_->setVisible(mode == Mode::Fusion);
+  for (QDockWidget* dock : sharedDocks_) {
+    dock->setVisible(mode != Mode::Start && !dock->property(kClosedByPerson).toBool());
+  }
+  if (!laidOut_ && mode != Mode::Start) {
+    const int height = pages_->height();
+    resizeDocks({mode == Mode::Tiles ? pairsDock_ : curveDock_, sharedDocks_.first()},
+                {height * 3 / 5, height * 2 / 5}, Qt::Vertical);
+  }
+}
+
+void MainWindow::lookAtFirst() {
+  const Document& document = model_->document();
+  const auto look = [&](Viewport* viewport, Side side) {
+    if (document.of(side)) {
+      viewport->setCamera(firstView(document, side));
+    }
+  };
+  look(tiles_->pane(Side::Part), Side::Part);
+  look(tiles_->pane(Side::Base), Side::Base);
+  look(fusion_->pane(), Side::Base);
 }
 
 Viewport* MainWindow::currentViewport() const {
@@ -308,7 +345,7 @@ void MainWindow::restoreLayout() {
   if (!restoreGeometry(settings.value(kGeometryKey).toByteArray())) {
     resize(kFirstSize);
   }
-  restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
+  laidOut_ = restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
 }
 
 void MainWindow::saveLayout() const {

@@ -51,6 +51,8 @@ class MainWindow : public QMainWindow {
 
   /// Opens a project or a scenario, or a mesh as the side that is still missing.
   void openFile(const QString& path);
+  /// Turns every pane to where its mesh is best seen from at first.
+  void lookAtFirst();
   /// If a crash left something behind, asks what to do with it.
   void offerRecovery();
   /// What the result's pane shows, as a picture.
@@ -78,6 +80,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void restoreLayout();
   void saveLayout() const;
+  void showDocksOf(Mode mode);
   [[nodiscard]] Viewport* currentViewport() const;
 
   // window_actions.cpp
@@ -122,6 +125,8 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   QDockWidget* pairsDock_ = nullptr;
   QDockWidget* curveDock_ = nullptr;
+  QList<QDockWidget*> sharedDocks_;
+  bool laidOut_ = false;  // as the person left it the last time
   QAction* lastTool_ = nullptr;
   bool closing_ = false;  // the person has answered what to do with unsaved work
 };

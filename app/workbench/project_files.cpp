@@ -74,11 +74,14 @@ void ProjectFiles::remember(const QString& path) {
   QSettings().setValue(kRecentKey, files.mid(0, kRecentFiles));
 }
 
-void ProjectFiles::show(Project project, const QString& path, const QString& name) {
+void ProjectFiles::show(Project project, const QString& path, const QString& name, bool unsaved) {
   path_ = path;
   name_ = name;
   remains_ = std::move(project.remains);
   model_.reset(std::move(project.document));
+  if (unsaved) {
+    model_.history()->resetClean();
+  }
   view_.restore(project.viewState);
   Q_EMIT stateChanged();
   Q_EMIT opened();
@@ -122,8 +125,7 @@ void ProjectFiles::recover(const QString& recoveryPath, const QString& originalP
           Q_EMIT failed(QString::fromStdString(loaded.error().message));
           return;
         }
-        show(std::move(loaded->project), originalPath, QFileInfo(originalPath).completeBaseName());
-        model_.history()->resetClean();
+        show(std::move(loaded->project), originalPath, QFileInfo(originalPath).completeBaseName(), true);
         Q_EMIT told(tr("Recovered. Save the project to keep it."));
       });
 }

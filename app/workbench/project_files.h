@@ -61,7 +61,7 @@ class ProjectFiles : public QObject {
   void told(const QString& message);
 
  private:
-  void show(Project project, const QString& path, const QString& name);
+  void show(Project project, const QString& path, const QString& name, bool unsaved = false);
   void remember(const QString& path);
 
   DocumentModel& model_;

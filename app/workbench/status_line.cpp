@@ -56,19 +56,17 @@ void StatusLine::showJob(const QString& what, double done) {
 }
 
 void StatusLine::showProgress(const QString& what, double done) {
-  if (!bar_->isVisible()) {
-    message_->clear();
-    icon_->hide();
-  }
-  bar_->setVisible(true);
-  cancel_->setVisible(true);
+  icon_->hide();
   message_->setText(what);
+  messageIsProgress_ = true;
   bar_->setValue(static_cast<int>(done * bar_->maximum()));
+  bar_->show();
+  cancel_->show();
 }
 
 void StatusLine::showIdle() {
-  if (bar_->isVisible()) {
-    message_->clear();
+  if (messageIsProgress_) {
+    tell({});
   }
   bar_->hide();
   cancel_->hide();
@@ -83,9 +81,11 @@ void StatusLine::showOutcome(const Outcome& outcome) {
   for (const StageRun& run : outcome.results->runs) {
     milliseconds += run.milliseconds;
   }
-  facts_->setText(tr("%1 vertices · %2 ms")
-                      .arg(QLocale().toString(outcome.results->fused->points.size()),
-                           QLocale().toString(milliseconds, 'f', milliseconds < 10 ? 1 : 0)));
+  if (milliseconds > 0) {  // otherwise everything was taken over: the time of the last run stands
+    time_ = QLocale().toString(milliseconds, 'f', milliseconds < 10 ? 1 : 0);
+  }
+  facts_->setText(
+      tr("%1 vertices · %2 ms").arg(QLocale().toString(outcome.results->fused->points.size()), time_));
 }
 
 void StatusLine::showSaved(bool saved) {
@@ -93,11 +93,13 @@ void StatusLine::showSaved(bool saved) {
 }
 
 void StatusLine::tell(const QString& message) {
+  messageIsProgress_ = false;
   icon_->hide();
   message_->setText(message);
 }
 
 void StatusLine::warn(const QString& message) {
+  messageIsProgress_ = false;
   icon_->show();
   message_->setText(message);
   message_->setToolTip(message);

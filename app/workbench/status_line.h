@@ -42,6 +42,8 @@ class StatusLine : public QStatusBar {
   QToolButton* cancel_ = nullptr;
   QLabel* facts_ = nullptr;
   QLabel* saved_ = nullptr;
+  bool messageIsProgress_ = false;
+  QString time_;  // of the last run that computed something
 };
 
 /// "Fusing: embedding the base's tile": what a stage does, in a designer's words.

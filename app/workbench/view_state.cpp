@@ -67,6 +67,7 @@ void readViewState(const std::string& text, MainWindow& window) {
     }
   }
   window.setMode(wanted);
+  window.lookAtFirst();
   const QJsonObject cameras = state["cameras"].toObject();
   for (const char* name : kPanes) {
     const QJsonObject values = cameras[name].toObject();

@@ -1,4 +1,4 @@
-#include <QLabel>
+#include <QAbstractButton>
 #include <QTableView>
 
 #include "core/project/project_file.h"

@@ -1,9 +1,9 @@
 // Takes pictures of the running window in its states: screenshots FOLDER [--all]. Without --all those of the
 // README.
 
+#include <QComboBox>
 #include <QPalette>
 #include <QScreen>
-#include <QStyleFactory>
 #include <cstdio>
 
 #include "core/project/edits.h"
@@ -60,21 +60,30 @@ class Photographer {
   QString folder_;
 };
 
-void takeForReadme(Workbench& bench, Photographer& photographer) {
-  photographer.take("start");
-  bench.openSample("fig9b_bird_plane");
+// Opens a sample; what was there is let go.
+void open(const Workbench& bench, const std::string& name) {
+  bench.window->model().history()->setClean();
+  if (!bench.openSample(name)) {
+    qFatal("%s makes no result", name.c_str());
+  }
+}
+
+void takeForReadme(Workbench& bench, Photographer& photographer, const QString& prefix) {
+  bench.window->setMode(MainWindow::Mode::Start);
+  photographer.take(prefix + "start");
+  open(bench, "fig9b_bird_plane");
   bench.window->setMode(MainWindow::Mode::Tiles);
-  photographer.take("tiles");
-  bench.openSample("fig8b_cone_nose");
+  photographer.take(prefix + "tiles");
+  open(bench, "fig8b_cone_nose");
   bench.window->setMode(MainWindow::Mode::Fusion);
-  photographer.take("fusion");
+  photographer.take(prefix + "fusion");
 }
 
 void takeAll(Workbench& bench, Photographer& photographer, const QString& theme) {
   const auto take = [&](const QString& name) { photographer.take(theme + '-' + name); };
   bench.window->setMode(MainWindow::Mode::Tiles);
   take("empty");
-  bench.openSample("fig7_letters_bottle");
+  open(bench, "fig7_letters_bottle");
   for (int colouring = 0; colouring < 5; ++colouring) {
     bench.window->findChild<QComboBox*>("colouring")->setCurrentIndex(colouring);
     take(QString("colour-%1").arg(colouring));
@@ -105,11 +114,11 @@ int main(int argc, char** argv) {
   }
   Workbench bench;
   Photographer photographer(bench, argv[1]);
-  takeForReadme(bench, photographer);
+  takeForReadme(bench, photographer, "");
   if (argc > 2) {
     takeAll(bench, photographer, "light");
     QApplication::setPalette(darkPalette());
-    takeForReadme(bench, photographer);
+    takeForReadme(bench, photographer, "dark-");
     takeAll(bench, photographer, "dark");
   }
   return 0;

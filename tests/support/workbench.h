@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <QAction>
 #include <QApplication>
 #include <QDropEvent>
@@ -65,7 +66,9 @@ struct Workbench {
     const Index first = h;
     do {
       const Face& face = mesh.face(TriangleMesh::faceOf(h));
-      normal += (mesh.point(face[1]) - mesh.point(face[0])).cross(mesh.point(face[2]) - mesh.point(face[0]));
+      normal += (mesh.point(face[1]) - mesh.point(face[0]))
+                    .cross(mesh.point(face[2]) - mesh.point(face[0]))
+                    .stableNormalized();
       h = mesh.twin(TriangleMesh::prev(h));
     } while (h >= 0 && h != first);
     normal.normalize();
@@ -77,8 +80,16 @@ struct Workbench {
   /// Clicks on a vertex of the pane's mesh.
   void clickVertex(Side side, Index vertex) const {
     const auto& mesh = side == Side::Part ? document().inputs.part : document().inputs.base;
-    lookAt(pane(side), *mesh, vertex);
-    const QPoint at = pane(side)->screenPosition(mesh->point(vertex)).toPoint();
+    QPoint at;
+    const auto inView = [&] {
+      lookAt(pane(side), *mesh, vertex);
+      at = pane(side)->screenPosition(mesh->point(vertex)).toPoint();
+      return pane(side)->pickAt(at, false).has_value();
+    };
+    // Not before the mesh is made ready.
+    if (!QTest::qWaitFor(inView, kPatienceMs)) {
+      qFatal("nothing to pick");
+    }
     QTest::mouseMove(pane(side), at);
     QTest::mouseClick(pane(side), Qt::LeftButton, {}, at);
   }
