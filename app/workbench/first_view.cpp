@@ -41,11 +41,14 @@ Camera firstView(const Document& document, Side side) {
   Eigen::Vector3d up = yUp ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
   Eigen::Vector3d front = yUp ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitY());
   const Eigen::Vector3d normal = loopNormal(document, side);
-  if (normal.norm() > 0.5) {
+  if (std::abs(normal.dot(up)) <= kAlong) {
+    front = normal.norm() > 0.5 ? normal : front;
+  } else if (yUp) {
+    // Rather an OBJ file in which z is up than a region on top: the front is a loop's usual place.
+    up = Eigen::Vector3d::UnitZ();
     front = normal;
-    if (std::abs(normal.dot(up)) > kAlong) {
-      up = yUp ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
-    }
+  } else {
+    front = (front + 1.5 * normal).normalized();
   }
   const Eigen::Vector3d beside = up.cross(front);
   const Eigen::Vector3d direction = (front + kBeside * beside + kAbove * up).normalized();

@@ -6,8 +6,8 @@
 namespace graftsman {
 
 /// Where to look at a mesh of the document from at first: at its region of the loop, from a little beside and
-/// above; without a loop from the front. What is up is guessed: y for OBJ files, z for others, but never
-/// along the loop's normal. To be framed.
+/// above; without a loop from the front. What is up is guessed: y for OBJ files unless that is the
+/// loop's normal, z for others. To be framed.
 [[nodiscard]] Camera firstView(const Document& document, Side side);
 
 }  // namespace graftsman

@@ -2,17 +2,21 @@
 // README.
 
 #include <QComboBox>
+#include <QFileInfo>
 #include <QPalette>
 #include <QScreen>
 #include <cstdio>
 
-#include "core/project/edits.h"
+#include "app/workbench/samples.h"
 #include "tests/support/workbench.h"
 #include "widgets/viewport/result_pane.h"
 
 using namespace graftsman;
 
 namespace {
+
+// Twice the size that the start page shows, for screens with small pixels.
+constexpr QSize kSamplePicture(464, 304);
 
 QPalette darkPalette() {
   QPalette palette;
@@ -79,6 +83,19 @@ void takeForReadme(Workbench& bench, Photographer& photographer, const QString& 
   photographer.take(prefix + "fusion");
 }
 
+// The start page's pictures of the samples' results.
+void takeSamples(const Workbench& bench, const QString& folder) {
+  for (const Sample& sample : findSamples()) {
+    const QString name = QFileInfo(sample.path).completeBaseName();
+    open(bench, name.toStdString());
+    const QString path = QString("%1/%2.png").arg(folder, name);
+    if (!bench.resultPane()->picture(kSamplePicture).save(path)) {
+      qFatal("%s cannot be written", qPrintable(path));
+    }
+    std::printf("%s\n", qPrintable(path));
+  }
+}
+
 void takeAll(Workbench& bench, Photographer& photographer, const QString& theme) {
   const auto take = [&](const QString& name) { photographer.take(theme + '-' + name); };
   bench.window->setMode(MainWindow::Mode::Tiles);
@@ -109,13 +126,18 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName("Graftsman");
   QApplication::setApplicationName("Screenshots");
   if (argc < 2) {
-    std::fprintf(stderr, "usage: screenshots FOLDER [--all]\n");
+    std::fprintf(stderr, "usage: screenshots FOLDER [--all | --samples]\n");
     return 2;
   }
   Workbench bench;
+  const QString what = argc > 2 ? argv[2] : "";
+  if (what == "--samples") {
+    takeSamples(bench, argv[1]);
+    return 0;
+  }
   Photographer photographer(bench, argv[1]);
   takeForReadme(bench, photographer, "");
-  if (argc > 2) {
+  if (what == "--all") {
     takeAll(bench, photographer, "light");
     QApplication::setPalette(darkPalette());
     takeForReadme(bench, photographer, "dark-");
