@@ -56,8 +56,7 @@ void StatusLine::showJob(const QString& what, double done) {
 }
 
 void StatusLine::showProgress(const QString& what, double done) {
-  icon_->hide();
-  message_->setText(what);
+  showMessage(what, false);
   messageIsProgress_ = true;
   bar_->setValue(static_cast<int>(done * bar_->maximum()));
   bar_->show();
@@ -93,16 +92,19 @@ void StatusLine::showSaved(bool saved) {
 }
 
 void StatusLine::tell(const QString& message) {
-  messageIsProgress_ = false;
-  icon_->hide();
-  message_->setText(message);
+  showMessage(message, false);
 }
 
 void StatusLine::warn(const QString& message) {
+  showMessage(message, true);
+}
+
+void StatusLine::showMessage(const QString& message, bool problem) {
   messageIsProgress_ = false;
-  icon_->show();
+  icon_->setVisible(problem);
   message_->setText(message);
   message_->setToolTip(message);
+  message_->setAccessibleName(problem ? tr("Problem: %1").arg(message) : tr("Status: %1").arg(message));
 }
 
 QString describe(const RunProgress& progress) {

@@ -35,6 +35,7 @@ class StatusLine : public QStatusBar {
 
  private:
   void showProgress(const QString& what, double done);
+  void showMessage(const QString& message, bool problem);
 
   QLabel* icon_ = nullptr;
   QLabel* message_ = nullptr;

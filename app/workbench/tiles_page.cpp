@@ -68,8 +68,8 @@ void TilesPage::connectPane(Side side) {
           [=, this](const QString& path) { Q_EMIT loadWanted(side, path); });
   connect(pane, &Viewport::contextMenuWanted, this, &TilesPage::contextMenuWanted);
   connect(pane, &Viewport::cameraChanged, this, [=, this](const Camera& camera) {
-    if (linked_) {
-      panes_[1 - index(side)]->setCamera(camera);
+    if (links_) {
+      panes_[1 - index(side)]->setCamera(follow((*links_)[index(side)], camera));
     }
   });
   connect(frame, &PaneFrame::enlargeToggled, this, [=, this](bool enlarged) { enlarge(side, enlarged); });
@@ -82,9 +82,12 @@ void TilesPage::setOutcome(std::shared_ptr<const Outcome> outcome) {
 }
 
 void TilesPage::setLinked(bool linked) {
-  linked_ = linked;
+  links_.reset();
   if (linked) {
-    pane(Side::Part)->setCamera(pane(Side::Base)->camera());
+    const Camera part = pane(Side::Part)->camera();
+    const Camera base = pane(Side::Base)->camera();
+    links_ = {linkCameras(part, base), linkCameras(base, part)};
+    pane(Side::Part)->setCamera(follow((*links_)[index(Side::Base)], base));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/document/document_model.h"
+#include "app/workbench/camera_link.h"
 #include "app/workbench/loop_view.h"
 #include "core/base/error.h"
 
@@ -27,7 +28,7 @@ class TilesPage : public QWidget {
   [[nodiscard]] MeshPane* pane(Side side) const { return panes_[index(side)]; }
   void setOutcome(std::shared_ptr<const Outcome> outcome);
   [[nodiscard]] const Outcome* outcome() const { return outcome_.get(); }
-  /// Cameras of both panes move alike.
+  /// Both panes turn, move and zoom together.
   void setLinked(bool linked);
   /// nullopt: nothing is being computed.
   void setBusy(std::optional<double> progress);
@@ -58,7 +59,7 @@ class TilesPage : public QWidget {
   std::array<MeshPane*, 2> panes_ = {};
   std::array<PaneFrame*, 2> frames_ = {};
   std::array<Remedy, 2> remedies_ = {};
-  bool linked_ = false;
+  std::optional<std::array<CameraLink, 2>> links_;  // from each side to the other; none: not linked
 };
 
 }  // namespace graftsman
