@@ -91,6 +91,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 
   auto* scroll = new QScrollArea;
   scroll->setObjectName("startScroll");
+  scroll->setAccessibleName(tr("Start page"));
   scroll->setWidget(page);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
