@@ -5,10 +5,10 @@
 
 /// What `graftsman-cli fuse` was asked for.
 struct FuseOptions {
-  std::string input;
+  std::string input;  // a project if it ends in .graft, otherwise a scenario
   std::string output;
   std::optional<std::string> report;  // "-": standard output
-  std::optional<std::string> curve;   // replaces the scenario's
+  std::optional<std::string> curve;   // replaces the input's
 };
 
 /// What `graftsman-cli check` was asked for.

@@ -1,6 +1,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -8,13 +9,12 @@
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
 #include "core/base/write_file.h"
-#include "core/fusion/blend.h"
 #include "core/fusion/update.h"
 #include "core/fusion/verify.h"
-#include "core/io/glb_writer.h"
-#include "core/io/mesh_file.h"
 #include "core/io/report.h"
+#include "core/io/result_file.h"
 #include "core/io/scenario.h"
+#include "core/project/project_file.h"
 
 using namespace graftsman;
 
@@ -34,30 +34,54 @@ Error naming(const std::string& file, Error error) {
   return error;
 }
 
-bool isGlb(const std::filesystem::path& path) {
+// Whether the name ends in it, in any case.
+bool endsIn(const std::filesystem::path& path, std::string_view wanted) {
   std::string ending = path.extension().string();
   for (char& c : ending) {
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
-  return ending == ".glb";
+  return ending == wanted;
 }
 
-// The morph from the base's shape (weight 0) to the part's (weight 1), shown at the end where the curve is on
-// average.
-Result<void> writeMorph(const std::filesystem::path& path, const FusionResults& results) {
-  std::vector<Point> part = results.join->points;
-  const std::vector<Index>& target = results.join->tileVertices;
-  for (std::size_t i = 0; i < target.size(); ++i) {
-    part[static_cast<std::size_t>(target[i])] = results.combined->part[i];
+// The fusion of a project as if a scenario had said it.
+Result<LoadedScenario> fusionOf(const LoadedProject& loaded) {
+  const Document& document = loaded.project.document;
+  if (!loaded.fusionIntact) {
+    return fail(loaded.damage.front());
   }
-  return writeGlb(path, {results.join->points, part, results.fused->faces()});
+  for (const Side side : {Side::Part, Side::Base}) {
+    if (!document.of(side)) {
+      return fail({ErrorCode::MeshEmpty,
+                   std::string("the project has no ") + name(side) + " yet. Load one in the workbench.",
+                   side});
+    }
+  }
+  if (!document.closed) {
+    return fail(ErrorCode::LoopTooShort, "the project's loop is not closed yet. Close it in the workbench.");
+  }
+  LoadedScenario fusion;
+  fusion.scenario.part = document.part->source;
+  fusion.scenario.base = document.base->source;
+  fusion.scenario.inputs = document.inputs;
+  fusion.partReport = document.part->report;
+  fusion.baseReport = document.base->report;
+  return fusion;
 }
 
-Result<void> write(const std::filesystem::path& path, const FusionResults& results) {
-  if (isGlb(path)) {
-    return writeMorph(path, results);
+Result<LoadedScenario> read(const std::filesystem::path& input) {
+  const Progress progress = terminalProgress("Reading");
+  if (!endsIn(input, ".graft")) {
+    return readScenario(input, progress);
   }
-  return writeMesh(path, results.fused->points, results.fused->faces(), {}, terminalProgress("Writing"));
+  const Result<LoadedProject> loaded = readProject(input, progress);
+  if (!loaded) {
+    return fail(loaded.error());
+  }
+  Result<LoadedScenario> fusion = fusionOf(*loaded);
+  if (fusion) {
+    fusion->scenario.name = input.stem().string();
+  }
+  return fusion;
 }
 
 Result<void> writeReport(const std::string& path, const std::string& text) {
@@ -83,8 +107,9 @@ Result<void> checkTargets(const FuseOptions& options, const Scenario& scenario) 
     for (const std::filesystem::path& source :
          {std::filesystem::path(options.input), scenario.part, scenario.base}) {
       if (same(target, source)) {
-        return fail(ErrorCode::FileUnwritable,
-                    target + ": is one of the files that the fusion reads. Give the output another name.");
+        return fail(
+            ErrorCode::FileUnwritable,
+            target + ": is one of the files that the fusion is made of. Give the output another name.");
       }
     }
   }
@@ -102,13 +127,13 @@ Result<void> run(const FuseOptions& options) {
       return fail(ErrorCode::FileUnreadable, std::string("The ") + what + "'s file name is empty; give one.");
     }
   }
-  if (!isGlb(options.output) && !formatOf(options.output)) {
+  if (!isResultName(options.output)) {
     return fail(ErrorCode::FormatUnknown,
                 options.output +
                     ": unknown format. Give the output a name that ends in .obj, .ply, .stl, .off or .glb.");
   }
   const Clock::time_point start = Clock::now();
-  Result<LoadedScenario> loaded = readScenario(options.input, terminalProgress("Reading"));
+  Result<LoadedScenario> loaded = read(options.input);
   if (!loaded) {
     return fail(naming(options.input, std::move(loaded.error())));
   }
@@ -130,7 +155,7 @@ Result<void> run(const FuseOptions& options) {
     return fail(naming(options.input, *results.error));
   }
   const Clock::time_point writeStart = Clock::now();
-  if (Result<void> written = write(options.output, results); !written) {
+  if (Result<void> written = writeResult(options.output, results, terminalProgress("Writing")); !written) {
     return written;
   }
   const double writeMilliseconds = millisecondsSince(writeStart);

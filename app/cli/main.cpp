@@ -14,6 +14,7 @@ constexpr const char* kExamples = R"(Examples:
   graftsman-cli fuse nose.json -o nose.obj --report nose-report.json
   graftsman-cli fuse nose.json -o nose.ply --fcf paste
   graftsman-cli fuse nose.json -o nose.stl --fcf "0,0;0.3,0.1;0.7,0.9;1,1" --threads 1
+  graftsman-cli fuse nose.graft -o nose.obj
   graftsman-cli check head.obj
 
 Exit codes: 0 done; 1 an error of the input, told in one line on stderr; 2 wrong usage.)";
@@ -37,8 +38,8 @@ int main(int argc, char** argv) {
   FuseOptions fuseOptions;
   int threads = 0;
   CLI::App& fuseCommand =
-      *app.add_subcommand("fuse", "Fuse the two meshes of a scenario and write the result");
-  fuseCommand.add_option("INPUT", fuseOptions.input, "Scenario (.json)")->required();
+      *app.add_subcommand("fuse", "Fuse the two meshes of a scenario or a project and write the result");
+  fuseCommand.add_option("INPUT", fuseOptions.input, "Scenario (.json) or project (.graft)")->required();
   fuseCommand.add_option("-o,--output", fuseOptions.output, "Mesh to write: .obj, .ply, .stl, .off or .glb")
       ->required();
   fuseCommand.add_option("--report", fuseOptions.report,

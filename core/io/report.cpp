@@ -3,11 +3,15 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/io/fusion_json.h"
+#include "core/io/scenario_keys.h"
+
 namespace graftsman {
 namespace {
 
 // Keeps the keys in the order in which they are written.
 using Json = nlohmann::ordered_json;
+using fusion_json::toJson;
 
 Json counts(std::size_t vertices, std::size_t faces) {
   return {{"v", vertices}, {"f", faces}};
@@ -15,11 +19,6 @@ Json counts(std::size_t vertices, std::size_t faces) {
 
 Json counts(const TriangleMesh& mesh) {
   return counts(mesh.points().size(), mesh.faces().size());
-}
-
-const char* name(MeshFormat format) {
-  constexpr std::array<const char*, 4> kNames = {"OBJ", "PLY", "STL", "OFF"};
-  return kNames[static_cast<std::size_t>(format)];
 }
 
 const char* name(EmbeddingWeights weights) {
@@ -30,18 +29,6 @@ const char* name(EmbeddingWeights weights) {
 const char* name(AdjustmentStep step) {
   constexpr std::array<const char*, 4> kNames = {"none", "rigid", "scale", "line field"};
   return kNames[static_cast<std::size_t>(step)];
-}
-
-Json toJson(const ReadReport& read) {
-  return {{"format", name(read.format)},
-          {"binary", read.binary},
-          {"file_vertices", read.fileVertices},
-          {"file_faces", read.fileFaces},
-          {"triangulated", read.triangulated},
-          {"welded", read.welded},
-          {"dropped_degenerate", read.droppedDegenerate},
-          {"dropped_duplicate", read.droppedDuplicate},
-          {"isolated", read.isolated}};
 }
 
 Json milliseconds(const FusionResults& results, const ReportContext& context) {
@@ -206,7 +193,8 @@ std::string formatCheck(const MeshCheck& check, const ReadReport& read, const st
 
 std::string describe(const ReadReport& report) {
   std::ostringstream out;
-  out << "format: " << (report.binary ? "binary " : "") << name(report.format) << ", " << report.fileVertices
+  out << "format: " << (report.binary ? "binary " : "")
+      << scenario_keys::wordFor(scenario_keys::kMeshFormats, report.format) << ", " << report.fileVertices
       << " vertices, " << report.fileFaces << " faces in the file\n";
   const auto line = [&out](std::size_t count, const char* what) {
     if (count > 0) {

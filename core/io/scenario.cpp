@@ -1,218 +1,13 @@
 #include "core/io/scenario.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
-#include <utility>
-
+#include "core/io/fusion_json.h"
 #include "core/io/printable.h"
-#include "core/io/scenario_keys.h"
 
 namespace graftsman {
+
+using namespace fusion_json;
+
 namespace {
-
-using nlohmann::json;
-
-// Deepest nesting of a scenario; cvp's barycentric coordinates need 4. What is deeper is no scenario, and
-// would only wear down the stack.
-constexpr int kDeepest = 64;
-
-/// Thrown inside this file only; parseScenario() returns it.
-struct Malformed {
-  ErrorCode code;
-  std::string what;
-};
-
-[[noreturn]] void malformed(const std::string& key, const std::string& expected) {
-  throw Malformed{ErrorCode::ScenarioMalformed, "\"" + key + "\" must be " + expected + "."};
-}
-
-std::string item(const std::string& key, std::size_t i) {
-  return key + "[" + std::to_string(i) + "]";
-}
-
-const json* find(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found == object.end() ? nullptr : &*found;
-}
-
-const json& demand(const json& object, const char* key, const char* expected) {
-  const json* value = find(object, key);
-  if (value == nullptr) {
-    throw Malformed{ErrorCode::ScenarioMalformed,
-                    std::string("\"") + key + "\" is missing; it must be " + expected + "."};
-  }
-  return *value;
-}
-
-double number(const json& value, const std::string& key, const char* expected = "a finite number") {
-  if (!value.is_number() || !std::isfinite(value.get<double>())) {
-    malformed(key, expected);
-  }
-  return value.get<double>();
-}
-
-bool boolean(const json& value, const std::string& key) {
-  if (!value.is_boolean()) {
-    malformed(key, "true or false");
-  }
-  return value.get<bool>();
-}
-
-std::string string(const json& value, const std::string& key, const char* expected) {
-  if (!value.is_string()) {
-    malformed(key, expected);
-  }
-  return value.get<std::string>();
-}
-
-// A vertex or face number. Its upper end is the mesh's, which is not read yet.
-Index index(const json& value, const std::string& key, const char* expected) {
-  constexpr auto kGreatest = static_cast<std::uint64_t>(std::numeric_limits<Index>::max());
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kGreatest) {
-    malformed(key, expected);
-  }
-  return static_cast<Index>(value.get<std::uint64_t>());
-}
-
-template <class Table>
-auto oneOf(const json& value, const std::string& key, const Table& table) {
-  const auto found = std::find_if(table.begin(), table.end(), [&](const auto& entry) {
-    return value.is_string() && value.get_ref<const std::string&>() == entry.first;
-  });
-  if (found == table.end()) {
-    std::string choices;
-    for (const auto& [word, meaning] : table) {
-      choices += (choices.empty() ? "\"" : ", \"") + std::string(word) + "\"";
-    }
-    malformed(key, "one of " + choices);
-  }
-  return found->second;
-}
-
-SurfacePoint surfacePoint(const json& value, const std::string& key, Side side) {
-  const std::string place = std::string(" of the ") + name(side);
-  if (!value.is_object()) {
-    const std::string expected =
-        "a vertex number" + place + " (a whole number from 0 on) or {\"face\": number, \"bary\": [a, b, c]}";
-    return SurfacePoint::atVertex(index(value, key, expected.c_str()));
-  }
-  const json* face = find(value, "face");
-  const json* bary = find(value, "bary");
-  if (face == nullptr || bary == nullptr || !bary->is_array() || bary->size() != 3) {
-    malformed(key, "{\"face\": number, \"bary\": [a, b, c]} with three numbers, a point" + place);
-  }
-  SurfacePoint point;
-  point.face = index(*face, key + ".face", ("a face number" + place + ", a whole number from 0 on").c_str());
-  for (std::size_t i = 0; i < 3; ++i) {
-    point.bary[static_cast<Eigen::Index>(i)] = number((*bary)[i], item(key + ".bary", i));
-  }
-  return point;
-}
-
-Loop loop(const json& value) {
-  if (!value.is_array()) {
-    malformed("cvp", "a list of pairs [part vertex, base vertex]");
-  }
-  Loop result;
-  result.reserve(value.size());
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const std::string key = item("cvp", i);
-    const json& pair = value[i];
-    if (!pair.is_array() || pair.size() != 2) {
-      malformed(key, "a pair [part vertex, base vertex]");
-    }
-    result.push_back(
-        {surfacePoint(pair[0], item(key, 0), Side::Part), surfacePoint(pair[1], item(key, 1), Side::Base)});
-  }
-  return result;
-}
-
-FCF takeCurve(Result<FCF> curve) {
-  if (!curve) {
-    throw Malformed{curve.error().code, "\"fcf\": " + curve.error().message};
-  }
-  return std::move(*curve);
-}
-
-FCF fcf(const json* value, const json* monotone) {
-  constexpr const char* kExpected =
-      "a list of at least four points [s, f], or \"linear\", \"paste\", \"keep-base-slope\" or \"half\"";
-  const bool limited = monotone == nullptr || boolean(*monotone, "monotone");
-  if (value == nullptr || value->is_string()) {
-    const auto preset =
-        value == nullptr ? FCF::Preset::Linear : presetNamed(value->get_ref<const std::string&>());
-    if (!preset) {
-      malformed("fcf", kExpected);
-    }
-    return takeCurve(FCF::through(FCF::preset(*preset).points(), limited));
-  }
-  if (!value->is_array()) {
-    malformed("fcf", kExpected);
-  }
-  std::vector<FCFPoint> points;
-  points.reserve(value->size());
-  for (std::size_t i = 0; i < value->size(); ++i) {
-    const json& pair = (*value)[i];
-    const std::string key = item("fcf", i);
-    if (!pair.is_array() || pair.size() != 2) {
-      malformed(key, "a pair of numbers [s, f]");
-    }
-    points.push_back({number(pair[0], item(key, 0)), number(pair[1], item(key, 1))});
-  }
-  return takeCurve(FCF::through(std::move(points), limited));
-}
-
-void readAdjustment(const json& value, AdjustmentSettings& settings) {
-  if (!value.is_object()) {
-    malformed("adjustment", "an object with rigid, scale, line_field, exact_fit, epsilon or max_iterations");
-  }
-  const auto flag = [&](const char* key, bool& target) {
-    if (const json* found = find(value, key)) {
-      target = boolean(*found, std::string("adjustment.") + key);
-    }
-  };
-  flag("rigid", settings.rigid);
-  flag("scale", settings.scale);
-  flag("line_field", settings.lineField);
-  flag("exact_fit", settings.exactFit);
-  if (const json* epsilon = find(value, "epsilon")) {
-    settings.epsilon = number(*epsilon, "adjustment.epsilon", "a number, 0 or more");
-    if (settings.epsilon < 0) {
-      malformed("adjustment.epsilon", "a number, 0 or more");
-    }
-  }
-  if (const json* iterations = find(value, "max_iterations")) {
-    constexpr const char* kExpected = "a whole number from 1 on";
-    settings.maxIterations = index(*iterations, "adjustment.max_iterations", kExpected);
-    if (settings.maxIterations < 1) {
-      malformed("adjustment.max_iterations", kExpected);
-    }
-  }
-}
-
-void readSettings(const json& object, FusionInputs& inputs) {
-  inputs.fcf = fcf(find(object, "fcf"), find(object, "monotone"));
-  if (const json* falloff = find(object, "deform_exponent")) {
-    inputs.adjustment.falloff = number(*falloff, "deform_exponent", "a number greater than 0");
-    if (!(inputs.adjustment.falloff > 0)) {
-      malformed("deform_exponent", "a number greater than 0");
-    }
-  }
-  if (const json* paths = find(object, "paths")) {
-    inputs.paths = oneOf(*paths, "paths", scenario_keys::kPathModes);
-  }
-  if (const json* large = find(object, "allow_large_tile")) {
-    inputs.tile.allowLargeTile = boolean(*large, "allow_large_tile");
-  }
-  if (const json* adjustment = find(object, "adjustment")) {
-    readAdjustment(*adjustment, inputs.adjustment);
-  }
-  if (const json* embedding = find(object, "embedding")) {
-    inputs.embedding.method = oneOf(*embedding, "embedding", scenario_keys::kEmbeddingMethods);
-  }
-}
 
 std::filesystem::path meshPath(const json& object, const char* key, const std::filesystem::path& folder) {
   constexpr const char* kExpected = "a mesh file's name, relative to the scenario file";
@@ -233,36 +28,8 @@ Scenario scenarioOf(const json& object, const std::filesystem::path& path) {
   scenario.part = meshPath(object, "m1", path.parent_path());
   scenario.base = meshPath(object, "m2", path.parent_path());
   scenario.inputs.loop = loop(demand(object, "cvp", "a list of pairs [part vertex, base vertex]"));
-  readSettings(object, scenario.inputs);
+  readSettings(object, scenario.inputs, [](const Malformed& what) { throw what; });
   return scenario;
-}
-
-// Whether brackets outside strings nest deeper than a scenario may.
-bool nestsTooDeep(std::string_view text) {
-  int depth = 0;
-  bool inString = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (inString) {
-      i += c == '\\' ? 1 : 0;
-      inString = c != '"';
-    } else if (c == '"') {
-      inString = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kDeepest) {
-        return true;
-      }
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return false;
-}
-
-// "line 3, column 5: unexpected …" of the library's message.
-std::string place(std::string_view what) {
-  const std::size_t line = what.find("line ");
-  return printable(line == std::string_view::npos ? what : what.substr(line), 240);
 }
 
 }  // namespace
@@ -271,15 +38,10 @@ Result<Scenario> parseScenario(std::string_view text, const std::filesystem::pat
   const auto error = [&](ErrorCode code, const std::string& what) {
     return fail(code, printable(path.string(), 400) + ": " + what);
   };
-  if (nestsTooDeep(text)) {
-    return error(ErrorCode::ScenarioMalformed, "not a scenario: its JSON is nested too deep.");
-  }
   try {
-    return scenarioOf(json::parse(text), path);
-  } catch (const Malformed& malformed) {
-    return error(malformed.code, malformed.what);
-  } catch (const json::exception& exception) {
-    return error(ErrorCode::ScenarioMalformed, "not valid JSON at " + place(exception.what()));
+    return scenarioOf(parse(text), path);
+  } catch (const Malformed& wrong) {
+    return error(wrong.code, wrong.what);
   }
 }
 

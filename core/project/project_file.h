@@ -27,6 +27,8 @@ struct LoadedProject {
   Project project;
   /// What was damaged and left out, one Error for each entry; the rest of the project is whole.
   std::vector<Error> damage;
+  /// All that makes the result (meshes, loop, settings, curve) is as it was saved: no damage concerns it.
+  bool fusionIntact = true;
 };
 
 /// Writes a .graft file (DESIGN.md §5): a zip whose first entry, uncompressed, is `mimetype`

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/project/project_file.h"
 #include "tests/support/samples.h"
 
 using namespace graftsman;
@@ -51,6 +52,25 @@ void verifyOneLineError(const Outcome& outcome) {
   QVERIFY(outcome.out.isEmpty());
   QVERIFY(outcome.err.startsWith("graftsman-cli: error: "));
   QCOMPARE(outcome.err.count('\n'), 1);
+}
+
+// The sample scenario as a project.
+Project projectOf(const std::string& name) {
+  const LoadedScenario loaded = readScenario(samples::scenarioPath(name), {}).value();
+  Project project;
+  Document& document = project.document;
+  const auto asset = [](const std::filesystem::path& source, const ReadReport& report, auto mesh) {
+    return std::make_shared<const MeshAsset>(MeshAsset{source.filename(), source, report, std::move(mesh)});
+  };
+  document.inputs = loaded.scenario.inputs;
+  document.part = asset(loaded.scenario.part, loaded.partReport, document.inputs.part);
+  document.base = asset(loaded.scenario.base, loaded.baseReport, document.inputs.base);
+  document.closed = true;
+  return project;
+}
+
+void save(const QString& path, const Project& project) {
+  QVERIFY(writeProject(path.toStdString(), project, {}));
 }
 
 }  // namespace
@@ -273,6 +293,96 @@ class CliTest : public QObject {
     verifyOneLineError(
         runCli({"fuse", file, "-o", dir.filePath("b.obj"), "--report", dir.filePath("b.obj")}));
     QCOMPARE(contentOf(mesh), contentOf(model("sphere.off")));
+  }
+
+  void aProjectGivesTheBytesAndTheReportOfItsScenario() {
+    const QTemporaryDir dir;
+    save(dir.filePath("Nose.GRAFT"), projectOf("fig8b_cone_nose"));
+    QCOMPARE(runCli({"fuse", scenario("fig8b_cone_nose"), "-o", dir.filePath("a.obj")}).exitCode, 0);
+    const Outcome outcome = runCli({"fuse", dir.filePath("Nose.GRAFT"), "-o", dir.filePath("b.obj"),
+                                    "--report", dir.filePath("b.json")});
+    QCOMPARE(outcome.err, QByteArray());
+    QCOMPARE(outcome.exitCode, 0);
+    QVERIFY(!contentOf(dir.filePath("a.obj")).isEmpty());
+    QCOMPARE(contentOf(dir.filePath("b.obj")), contentOf(dir.filePath("a.obj")));
+    const auto json = nlohmann::json::parse(contentOf(dir.filePath("b.json")).toStdString());
+    QVERIFY(json["checks"]["all_hold"].get<bool>());
+    QCOMPARE(json["name"].get<std::string>(), std::string("Nose"));
+    QCOMPARE(json["reading"]["part"]["format"].get<std::string>(), std::string("STL"));
+    // Its curve can be replaced, too.
+    const auto fuseWith = [&](const QString& input, const QString& output) {
+      return runCli({"fuse", input, "-o", dir.filePath(output), "--fcf", "half"}).exitCode;
+    };
+    QCOMPARE(fuseWith(dir.filePath("Nose.GRAFT"), "c.obj"), 0);
+    QCOMPARE(fuseWith(scenario("fig8b_cone_nose"), "d.obj"), 0);
+    QVERIFY(contentOf(dir.filePath("c.obj")) != contentOf(dir.filePath("a.obj")));
+    QCOMPARE(contentOf(dir.filePath("c.obj")), contentOf(dir.filePath("d.obj")));
+  }
+
+  void aProjectThatCannotBeFusedIsOneLine_data() {
+    QTest::addColumn<QString>("what");
+    QTest::addColumn<QByteArray>("says");
+    QTest::newRow("open") << "open" << QByteArray("loop is not closed yet");
+    QTest::newRow("no base") << "no base" << QByteArray("has no base yet");
+    QTest::newRow("empty") << "empty" << QByteArray("has no part yet");
+    QTest::newRow("damaged") << "damaged" << QByteArray("is damaged and was left out");
+    QTest::newRow("no project") << "no project" << QByteArray("is no Graftsman project");
+  }
+  void aProjectThatCannotBeFusedIsOneLine() {
+    QFETCH(QString, what);
+    QFETCH(QByteArray, says);
+    const QTemporaryDir dir;
+    const QString file = dir.filePath("p.graft");
+    Project project = projectOf("fig4a_cone_sphere");
+    if (what == "open") {
+      project.document.closed = false;
+    } else if (what == "no base") {
+      project.document.base = nullptr;
+    } else if (what == "empty") {
+      project = {};
+    }
+    save(file, project);
+    if (what == "damaged") {
+      QByteArray bytes = contentOf(file);
+      const qsizetype inside = bytes.indexOf("grafmesh") + 500;
+      bytes[inside] = static_cast<char>(bytes[inside] ^ 1);
+      write(file, bytes);
+    } else if (what == "no project") {
+      write(file, "{}");
+    }
+    const Outcome outcome = runCli({"fuse", file, "-o", dir.filePath("a.obj")});
+    verifyOneLineError(outcome);
+    QVERIFY2(outcome.err.contains(says) && outcome.err.contains("p.graft"), outcome.err);
+    QVERIFY(!QFile::exists(dir.filePath("a.obj")));
+  }
+
+  void aDamagedPictureIsNoHindrance() {
+    const QTemporaryDir dir;
+    Project project = projectOf("fig4a_cone_sphere");
+    project.thumbnail = "picture";
+    save(dir.filePath("p.graft"), project);
+    QByteArray bytes = contentOf(dir.filePath("p.graft"));
+    write(dir.filePath("p.graft"), bytes.replace("picture", "pictura"));
+    const Outcome outcome = runCli({"fuse", dir.filePath("p.graft"), "-o", dir.filePath("a.obj")});
+    QCOMPARE(outcome.exitCode, 0);
+    QCOMPARE(outcome.err, QByteArray());
+  }
+
+  void neitherAProjectNorItsModelsAreOverwritten() {
+    const QTemporaryDir dir;
+    const QString file = dir.filePath("p.graft");
+    const QString source = dir.filePath("sphere.off");
+    QVERIFY(QFile::copy(model("sphere.off"), source));
+    Project project = projectOf("fig4a_cone_sphere");
+    MeshAsset base = *project.document.base;
+    base.source = source.toStdString();
+    project.document.base = std::make_shared<const MeshAsset>(base);
+    save(file, project);
+    const QByteArray before = contentOf(file);
+    verifyOneLineError(runCli({"fuse", file, "-o", source}));
+    verifyOneLineError(runCli({"fuse", file, "-o", dir.filePath("a.obj"), "--report", file}));
+    QCOMPARE(contentOf(file), before);
+    QCOMPARE(contentOf(source), contentOf(model("sphere.off")));
   }
 
   void checkDescribesAMeshOnStdout() {

@@ -1,9 +1,18 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <optional>
 
 #include "core/fusion/adjustment.h"
+
+class QButtonGroup;
+class QCheckBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QSpinBox;
 
 namespace graftsman {
 
@@ -27,6 +36,32 @@ class AdjustmentPanel : public QWidget {
   /// The button "Run adjustment".
   void runWanted();
   void shownChanged(graftsman::AdjustmentPanel::Shown shown);
+
+ private:
+  /// A step as a line of the panel: a switch, and the mean distance of the pairs after it.
+  struct StepLine {
+    bool AdjustmentSettings::*setting = nullptr;
+    AdjustmentStep step = AdjustmentStep::None;
+    QCheckBox* box = nullptr;
+    QLabel* distance = nullptr;
+    QLabel* reached = nullptr;
+  };
+
+  [[nodiscard]] QLayout* stepLines();
+  [[nodiscard]] QLayout* numbers();
+  [[nodiscard]] QLayout* shownChoice();
+  void edit(const AdjustmentSettings& settings);
+  void showReport();
+
+  AdjustmentSettings settings_;
+  std::optional<AdjustmentReport> report_;
+  std::array<StepLine, 4> steps_;
+  QLabel* before_ = nullptr;
+  QDoubleSpinBox* epsilon_ = nullptr;
+  QDoubleSpinBox* falloff_ = nullptr;
+  QSpinBox* iterations_ = nullptr;
+  QPushButton* run_ = nullptr;
+  QButtonGroup* shown_ = nullptr;
 };
 
 }  // namespace graftsman

@@ -16,6 +16,7 @@ struct PairRow {
   std::optional<double> partLength;  // of the path to the next pair, model length; absent: none yet
   std::optional<double> baseLength;
   QString problem;  // one sentence; empty: none
+  friend bool operator==(const PairRow&, const PairRow&) = default;
 };
 
 /// The pairs of a loop, a row each: number, part vertex, base vertex, path length on the part, on the base,
@@ -38,6 +39,8 @@ class PairsModel : public QAbstractTableModel {
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  void tellChanged(int first, int last, Column from, Column to);
+
   std::vector<PairRow> rows_;
 };
 

@@ -9,8 +9,10 @@ class QTableView;
 namespace graftsman {
 
 class PairsModel;
+class ProblemLine;
 
-/// The table of pairs, with what comes next below it ("next: on the base").
+/// The table of pairs, with what comes next below it ("next: on the base"), or, of a selected pair, what is
+/// wrong with it.
 class PairsPanel : public QWidget {
   Q_OBJECT
 
@@ -24,13 +26,26 @@ class PairsPanel : public QWidget {
   void setNext(const QString& text);
 
  Q_SIGNALS:
+  /// The person selected other rows; also when rows that came or went gave the selected ones other numbers.
   void selectionChanged(const QSet<int>& rows);
   void removeWanted(const QSet<int>& rows);  // Delete
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void makeView();
+  [[nodiscard]] QSet<int> selectedRows() const;
+  void tellSelection();
+  void showEmptyState();
+  void showProblem();
+
   PairsModel* model_ = nullptr;
   QTableView* view_ = nullptr;
-  QLabel* next_ = nullptr;
+  QLabel* empty_ = nullptr;
+  ProblemLine* next_ = nullptr;
+  QSet<int> told_;
+  bool changingRows_ = false;
 };
 
 }  // namespace graftsman

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <optional>
 
 #include "core/fusion/update.h"
+
+class QTableWidget;
 
 namespace graftsman {
 
@@ -18,6 +21,21 @@ class StagesPanel : public QWidget {
   /// The stage that runs now, nullopt: none.
   void setRunning(std::optional<Stage> stage);
   void clear();
+
+ private:
+  enum class State { NotReached, Ran, Reused, Failed };
+  struct Row {
+    State state = State::NotReached;
+    double milliseconds = 0;
+    QString problem;
+  };
+
+  void show(Stage stage);
+  void showAll();
+
+  std::array<Row, kStageCount> rows_;
+  std::optional<Stage> running_;
+  QTableWidget* table_ = nullptr;
 };
 
 }  // namespace graftsman

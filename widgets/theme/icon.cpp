@@ -56,7 +56,8 @@ class TintedIcon : public QIconEngine {
   }
 
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State /*state*/) override {
-    const QColor colour = colour_ && mode != QIcon::Disabled ? *colour_ : paletteColour(mode);
+    const bool own = colour_ && (mode == QIcon::Normal || mode == QIcon::Active);
+    const QColor colour = own ? *colour_ : paletteColour(mode);
     const QString key = QStringLiteral("%1 %2×%3 %4")
                             .arg(path_)
                             .arg(size.width())

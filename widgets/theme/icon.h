@@ -11,7 +11,7 @@ namespace graftsman {
 /// if there is none of that name.
 [[nodiscard]] QIcon icon(const QString& name);
 
-/// The same in one colour ("problem" in the theme's colour for problems); disabled as above.
+/// The same in one colour ("problem" in the theme's colour for problems); disabled and selected as above.
 [[nodiscard]] QIcon icon(const QString& name, const QColor& colour);
 
 /// The program's own icon, in its colours.

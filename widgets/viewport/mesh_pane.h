@@ -10,6 +10,8 @@
 
 namespace graftsman {
 
+class ShownMesh;
+
 /// A CV as a pane shows it: a sphere with its number.
 struct CVMark {
   SurfacePoint at;
@@ -35,6 +37,9 @@ struct LoopMarks {
 
 /// One mesh in Tiles mode (INTERFACE.md): shows the mesh and its side of the loop, and tells what the person
 /// points at, clicks and drags. Knows no document: nothing changes until it is told.
+///
+/// With the keyboard, the arrows walk from vertex to vertex in the direction seen, among those in sight, and
+/// Enter picks; before the first arrow (and again once the mouse has moved) Enter is left to the window.
 class MeshPane : public Viewport {
   Q_OBJECT
 
@@ -42,9 +47,11 @@ class MeshPane : public Viewport {
   explicit MeshPane(Side side, QWidget* parent = nullptr);
   ~MeshPane() override;
 
-  /// Shows `mesh` (null: none) and frames it if it is another one than before. Large meshes are made ready on
-  /// a worker thread; until meshShown() the pane shows what it had, busy.
+  /// Shows `mesh` (null: none) and frames it if it is another one than before; the marks of the one before
+  /// go. It is made ready on a worker thread: until meshShown() the pane shows what it had, dimmed and
+  /// without marks, and nothing can be picked.
   void setMesh(std::shared_ptr<const TriangleMesh> mesh);
+  /// What is marked on the mesh last set. Marks of vertices and faces that it lacks are left out.
   void setMarks(LoopMarks marks);
   /// Whether clicks may pick (false: the pane only shows).
   void setPicking(bool enabled);
@@ -52,10 +59,11 @@ class MeshPane : public Viewport {
   void flashCV(int number);
 
   /// What a click there would take: a vertex of the nearest face hit; or, with `free`, the very point hit.
-  /// nullopt: nothing is hit. Device-independent coordinates.
+  /// nullopt: nothing is hit.
   [[nodiscard]] std::optional<SurfacePoint> pickAt(const QPointF& position, bool free) const;
 
  Q_SIGNALS:
+  /// The mesh last set is shown, and can be picked from. Never from within setMesh().
   void meshShown();
   /// The vertex under the pointer that a click would take, or −1.
   void vertexHovered(graftsman::Index vertex);
@@ -70,9 +78,42 @@ class MeshPane : public Viewport {
   void cvDragCancelled(int number);
   /// A click on a path: insert a pair there.
   void pathClicked(int number, const graftsman::SurfacePoint& at);
+  /// The click just told by surfacePicked() or pathClicked() was the first half of a double-click, which sets
+  /// the pivot: what it did is to be taken back.
+  void pickTakenBack();
+
+ protected:
+  [[nodiscard]] std::optional<Point> surfaceAt(const QPointF& position) const override;
+  void prepareFrame(const CameraView& view) override;
+  void paintOver(QPainter& painter, const CameraView& view) override;
+  void applyTheme(const Theme& theme) override;
+
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
   struct Content;
+  struct Pointed;
+  void showMesh(std::shared_ptr<const ShownMesh> shown);
+  void showMarks();
+  void showTile();
+  void paintProblemPaths(QPainter& painter, const CameraView& view);
+  void paintCVs(QPainter& painter, const CameraView& view);
+  void paintPointed(QPainter& painter, const CameraView& view);
+  [[nodiscard]] Pointed pointedAt(const QPointF& position, bool free) const;
+  void hover(const Pointed& pointed);
+  void click(const Pointed& pointed);
+  void dragTo(const QPointF& position, bool free);
+  void cancelDrag();
+  void walk(Qt::Key arrow);
+  void pickByKeyboard();
+
   std::unique_ptr<Content> content_;
 };
 

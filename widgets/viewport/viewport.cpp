@@ -156,6 +156,7 @@ void Viewport::paintGL() {
 
 void Viewport::paintFrame(const CameraView& shown, unsigned int framebuffer) {
   scene_->painting = true;
+  prepareFrame(shown);
   vtkGenericOpenGLRenderWindow& window = *scene_->window;
   const QSize pixels = (shown.size * shown.ratio).toSize();
   if (window.GetSize()[0] != pixels.width() || window.GetSize()[1] != pixels.height()) {
@@ -192,8 +193,10 @@ void Viewport::paintFrame(const CameraView& shown, unsigned int framebuffer) {
 
 void Viewport::paintState(QPainter& painter) const {
   const QColor highlight = palette().color(QPalette::Highlight);
-  if (scene_->progress) {
+  if (scene_->progress || scene_->preparing) {
     painter.fillRect(rect(), QColor::fromRgbF(0, 0, 0, kDimming));
+  }
+  if (scene_->progress) {
     painter.fillRect(QRectF(0, 0, width() * *scene_->progress, kProgressHeight), highlight);
   }
   if (scene_->dropHighlighted || scene_->focusShown) {
@@ -284,6 +287,11 @@ void Viewport::setBusy(std::optional<double> progress) {
   update();
 }
 
+void Viewport::setPreparing(bool preparing) {
+  scene_->preparing = preparing;
+  update();
+}
+
 QPointF Viewport::screenPosition(const Point& point) const {
   return view().project(point);
 }
@@ -329,6 +337,8 @@ void Viewport::setBackground() {
   scene_->renderer->SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
   scene_->renderer->SetBackground2(top.redF(), top.greenF(), top.blueF());
 }
+
+void Viewport::prepareFrame(const CameraView& /*view*/) {}
 
 void Viewport::paintOver(QPainter& /*painter*/, const CameraView& /*view*/) {}
 

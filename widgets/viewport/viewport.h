@@ -87,10 +87,14 @@ class Viewport : public QOpenGLWidget {
   [[nodiscard]] CameraView view() const;
   /// frameAll() by the program: without cameraChanged().
   void frameScene();
+  /// Dims the scene while it shows what is about to be replaced.
+  void setPreparing(bool preparing);
 
   /// The nearest point of what is shown at a place of the pane, or nullopt. By the depth that was last drawn;
   /// a pane that can cast a ray overrides it.
   [[nodiscard]] virtual std::optional<Point> surfaceAt(const QPointF& position) const;
+  /// Called before each frame, also a picture's, with the camera that it is drawn with.
+  virtual void prepareFrame(const CameraView& view);
   /// Paints over the scene, in device-independent pixels, under what tells of progress, focus and drops.
   /// There is no multisampling: draw images where edges must be smooth.
   virtual void paintOver(QPainter& painter, const CameraView& view);

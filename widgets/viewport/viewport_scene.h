@@ -49,6 +49,7 @@ struct Viewport::Scene {
   std::optional<QPointF> menuPress;  // the right button went down there and has not been dragged
   std::optional<WheelAnchor> wheelAnchor;
   std::optional<double> progress;
+  bool preparing = false;
   bool dropHighlighted = false;
   bool focusShown = false;  // the focus came by the keyboard
 };

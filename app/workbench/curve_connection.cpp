@@ -1,0 +1,49 @@
+#include "app/document/commands.h"
+#include "app/workbench/fusion_page.h"
+#include "widgets/curve/fusion_curve_editor.h"
+#include "widgets/curve/fusion_curve_panel.h"
+#include "widgets/viewport/result_pane.h"
+
+namespace graftsman {
+namespace {
+
+void dragCurve(DocumentModel& model, const FCF& curve) {
+  Document document = model.committed();
+  document.inputs.fcf = curve;
+  model.drag(std::move(document));
+}
+
+}  // namespace
+
+void connectCurve(FusionCurvePanel& panel, DocumentModel& model, FusionPage& page) {
+  FusionCurveEditor* editor = panel.editor();
+  panel.setCurve(model.document().inputs.fcf);
+  QObject::connect(&model, &DocumentModel::changed, &panel,
+                   [&panel, &model, editor](Change change, const Touched& touched) {
+                     panel.setCurve(model.document().inputs.fcf);
+                     const auto points = static_cast<int>(model.document().inputs.fcf.points().size());
+                     if (change == Change::History && touched.curvePoint) {
+                       editor->selectPoint(*touched.curvePoint < points ? *touched.curvePoint : -1);
+                     }
+                   });
+  QObject::connect(editor, &FusionCurveEditor::moved, &panel,
+                   [&](int, const FCF& curve) { dragCurve(model, curve); });
+  QObject::connect(editor, &FusionCurveEditor::moveFinished, &panel, [&](int point) {
+    model.push(std::make_unique<MoveFCFPoint>(model, model.document().inputs.fcf, point));
+  });
+  QObject::connect(editor, &FusionCurveEditor::moveCancelled, &panel, [&] { model.cancelDrag(); });
+  QObject::connect(editor, &FusionCurveEditor::pointAdded, &panel, [&](int point, const FCF& curve) {
+    model.push(std::make_unique<AddFCFPoint>(model, curve, point));
+  });
+  QObject::connect(editor, &FusionCurveEditor::pointRemoved, &panel, [&](int point, const FCF& curve) {
+    model.push(std::make_unique<RemoveFCFPoint>(model, curve, point));
+  });
+  QObject::connect(editor, &FusionCurveEditor::sHovered, &page,
+                   [&](double s) { page.pane()->setRing(s >= 0 ? std::optional(s) : std::nullopt); });
+  QObject::connect(&panel, &FusionCurvePanel::presetChosen, &panel,
+                   [&](FCF::Preset preset) { model.push(std::make_unique<SetFCFPreset>(model, preset)); });
+  QObject::connect(&panel, &FusionCurvePanel::monotoneChosen, &panel,
+                   [&](const FCF& curve) { model.push(std::make_unique<SetFCFMonotone>(model, curve)); });
+}
+
+}  // namespace graftsman

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/project/document.h"
+#include "widgets/viewport/viewport.h"
+
+namespace graftsman {
+
+/// Where to look at a mesh of the document from at first: at its region of the loop, from a little beside and
+/// above; without a loop from the front. What is up is guessed: y for OBJ files unless that is the
+/// loop's normal, z for others. To be framed.
+[[nodiscard]] Camera firstView(const Document& document, Side side);
+
+}  // namespace graftsman

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QDialog>
+
+class QLineEdit;
+class QListWidget;
+
+namespace graftsman {
+
+class Actions;
+
+/// Finds an action by what it is called or says of itself, and runs it.
+class ActionFinder : public QDialog {
+  Q_OBJECT
+
+ public:
+  ActionFinder(const Actions& actions, QWidget* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void list(const QString& words);
+  void run();
+
+  const Actions& actions_;
+  QLineEdit* words_ = nullptr;
+  QListWidget* found_ = nullptr;
+};
+
+/// Every shortcut, and what the mouse does in each navigation.
+class ShortcutsDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  ShortcutsDialog(const Actions& actions, QWidget* parent);
+};
+
+/// "About Graftsman".
+void showAbout(QWidget* parent);
+
+}  // namespace graftsman

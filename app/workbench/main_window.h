@@ -1,0 +1,134 @@
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "app/document/document_model.h"
+#include "app/workbench/project_files.h"
+
+class QDockWidget;
+class QFileDialog;
+class QStackedWidget;
+
+namespace graftsman {
+
+class Actions;
+class AdjustmentPanel;
+class Autosave;
+class FusionCurvePanel;
+class FusionPage;
+class JobQueue;
+class LoopEditor;
+class PairsPanel;
+class StagesPanel;
+class StageRunner;
+class StartPage;
+class StatusLine;
+class TilesPage;
+class Viewport;
+struct Outcome;
+
+/// The workbench's window: creates its parts, lays them out, connects them.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// `recoveryFolder`: where unsaved states are kept, and looked for by offerRecovery().
+  explicit MainWindow(const QString& recoveryFolder, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  enum class Mode { Start, Tiles, Fusion };
+  void setMode(Mode mode);
+  [[nodiscard]] Mode mode() const;
+
+  [[nodiscard]] DocumentModel& model() const { return *model_; }
+  [[nodiscard]] StageRunner& runner() const { return *runner_; }
+  [[nodiscard]] JobQueue& jobs() const { return *jobs_; }
+  [[nodiscard]] ProjectFiles& files() const { return *files_; }
+  [[nodiscard]] Autosave& autosave() const { return *autosave_; }
+  [[nodiscard]] const Actions& actions() const { return *actions_; }
+  [[nodiscard]] FusionPage& fusionPage() const { return *fusion_; }
+
+  /// Opens a project or a scenario, or a mesh as the side that is still missing.
+  void openFile(const QString& path);
+  /// Turns every pane to where its mesh is best seen from at first.
+  void lookAtFirst();
+  /// If a crash left something behind, asks what to do with it.
+  void offerRecovery();
+  /// What the result's pane shows, as a picture.
+  [[nodiscard]] QImage resultPicture(const QSize& size);
+
+ Q_SIGNALS:
+  /// The stages have caught up with the document: what the panes show is its present state.
+  void settled();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  // main_window.cpp
+  void makePanels();
+  void makeToolBar();
+  [[nodiscard]] QDockWidget* addDock(const QString& name, const QString& title, QWidget* content);
+  void connectDocument();
+  void connectPanels();
+  void showOutcome(const std::shared_ptr<const Outcome>& outcome);
+  void showBusy();
+  void showTitle();
+  void restoreLayout();
+  void saveLayout() const;
+  void showDocksOf(Mode mode);
+  [[nodiscard]] Viewport* currentViewport() const;
+
+  // window_actions.cpp
+  void connectActions();
+  void connectViews();
+  void connectTools();
+  void enableActions();
+  void showUndoTexts();
+
+  // window_files.cpp
+  [[nodiscard]] ProjectView projectView();
+  void connectFiles();
+  void fillRecentMenu();
+  void askOpen();
+  void askLoad(Side side);
+  void save();
+  void askSaveAs(std::function<void()> then = {});
+  void askExport();
+  void askPicture();
+  /// Calls `then` at once if nothing is unsaved, else when the person has saved or let go.
+  void askUnsaved(std::function<void()> then);
+  [[nodiscard]] QFileDialog* fileDialog(const QString& name, const QString& title, const QString& filter);
+  void showDamage(const QString& message);
+
+  DocumentModel* model_;
+  StageRunner* runner_;
+  JobQueue* jobs_;
+  LoopEditor* editor_;
+  Actions* actions_;
+  ProjectFiles* files_ = nullptr;
+  Autosave* autosave_ = nullptr;
+  QString recoveryFolder_;
+
+  QStackedWidget* pages_;
+  StartPage* start_;
+  TilesPage* tiles_;
+  FusionPage* fusion_;
+  PairsPanel* pairs_;
+  FusionCurvePanel* curve_;
+  AdjustmentPanel* adjustment_;
+  StagesPanel* stages_;
+  StatusLine* status_;
+  QDockWidget* pairsDock_ = nullptr;
+  QDockWidget* curveDock_ = nullptr;
+  QList<QDockWidget*> sharedDocks_;
+  bool laidOut_ = false;  // as the person left it the last time
+  QAction* lastTool_ = nullptr;
+  bool closing_ = false;  // the person has answered what to do with unsaved work
+};
+
+}  // namespace graftsman

@@ -1,0 +1,169 @@
+#include "app/workbench/tiles_page.h"
+
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "app/document/loop_editor.h"
+#include "widgets/panels/pane_frame.h"
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/mesh_pane.h"
+
+namespace graftsman {
+namespace {
+
+constexpr std::array<Side, 2> kSides = {Side::Part, Side::Base};
+
+QString title(const std::shared_ptr<const MeshAsset>& asset) {
+  return asset ? TilesPage::tr("%1 · %2 faces")
+                     .arg(QString::fromStdString(asset->name), QLocale().toString(asset->mesh->faceCount()))
+               : TilesPage::tr("no mesh yet");
+}
+
+}  // namespace
+
+TilesPage::TilesPage(DocumentModel& model, LoopEditor& editor, QWidget* parent)
+    : QWidget(parent), model_(model), editor_(editor), splitter_(new QSplitter(this)) {
+  setObjectName("tilesPage");
+  splitter_->setObjectName("tilesSplitter");
+  splitter_->setChildrenCollapsible(false);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(splitter_);
+  for (const Side side : kSides) {
+    connectPane(side);
+  }
+  connect(&model, &DocumentModel::changed, this, &TilesPage::showDocument);
+  connect(&editor, &LoopEditor::halfPairChanged, this, &TilesPage::showLoop);
+  connect(&editor, &LoopEditor::selectionChanged, this, &TilesPage::showLoop);
+  showTitles();
+  showLoop();
+}
+
+void TilesPage::connectPane(Side side) {
+  const bool isPart = side == Side::Part;
+  auto* pane = new MeshPane(side);
+  pane->setObjectName(isPart ? "partPane" : "basePane");
+  pane->setAccessibleName(isPart ? tr("Part") : tr("Base"));
+  auto* frame = new PaneFrame(isPart ? tr("Part") : tr("Base"), themeFor(palette()).of(side), pane);
+  frame->setObjectName(isPart ? "partFrame" : "baseFrame");
+  splitter_->addWidget(frame);
+  panes_[index(side)] = pane;
+  frames_[index(side)] = frame;
+
+  connect(pane, &MeshPane::surfacePicked, this,
+          [=, this](const SurfacePoint& at) { editor_.pick(side, at); });
+  connect(pane, &MeshPane::cvClicked, &editor_, &LoopEditor::clickCV);
+  connect(pane, &MeshPane::pathClicked, this, [=, this](int number, const SurfacePoint& at) {
+    editor_.insertOnPath(side, number, at, outcome_.get());
+  });
+  connect(pane, &MeshPane::cvDragStarted, this, [=, this](int number) { editor_.startDrag(side, number); });
+  connect(pane, &MeshPane::cvDragged, this,
+          [=, this](int number, const SurfacePoint& to) { editor_.dragTo(side, number, to); });
+  connect(pane, &MeshPane::cvDragFinished, &editor_, &LoopEditor::finishDrag);
+  connect(pane, &MeshPane::cvDragCancelled, &editor_, &LoopEditor::cancelDrag);
+  connect(pane, &Viewport::fileDropped, this,
+          [=, this](const QString& path) { Q_EMIT loadWanted(side, path); });
+  connect(pane, &Viewport::contextMenuWanted, this, &TilesPage::contextMenuWanted);
+  connect(pane, &Viewport::cameraChanged, this, [=, this](const Camera& camera) {
+    if (links_) {
+      panes_[1 - index(side)]->setCamera(follow((*links_)[index(side)], camera));
+    }
+  });
+  connect(frame, &PaneFrame::enlargeToggled, this, [=, this](bool enlarged) { enlarge(side, enlarged); });
+  connect(frame, &PaneFrame::remedyClicked, this, [=, this] { Q_EMIT remedyWanted(remedies_[index(side)]); });
+}
+
+void TilesPage::setOutcome(std::shared_ptr<const Outcome> outcome) {
+  outcome_ = std::move(outcome);
+  showLoop();
+}
+
+void TilesPage::setLinked(bool linked) {
+  links_.reset();
+  if (linked) {
+    const Camera part = pane(Side::Part)->camera();
+    const Camera base = pane(Side::Base)->camera();
+    links_ = {linkCameras(part, base), linkCameras(base, part)};
+    pane(Side::Part)->setCamera(follow((*links_)[index(Side::Base)], base));
+  }
+}
+
+void TilesPage::setBusy(std::optional<double> progress) {
+  for (MeshPane* pane : panes_) {
+    pane->setBusy(progress);
+  }
+}
+
+void TilesPage::showDocument(Change change, const Touched& touched) {
+  const Document& document = model_.document();
+  for (const Side side : kSides) {
+    pane(side)->setMesh(side == Side::Part ? document.inputs.part : document.inputs.base);
+  }
+  showTitles();
+  showLoop();
+  if (change == Change::History && touched.cv &&
+      *touched.cv < static_cast<int>(document.inputs.loop.size())) {
+    for (MeshPane* pane : panes_) {
+      pane->flashCV(*touched.cv);
+    }
+  }
+}
+
+void TilesPage::showTitles() {
+  for (const Side side : kSides) {
+    frames_[index(side)]->setTitle(title(model_.document().of(side)));
+    frames_[index(side)]->setRoleColour(themeFor(palette()).of(side));
+  }
+}
+
+void TilesPage::showLoop() {
+  for (const Side side : kSides) {
+    SideView view =
+        viewLoop(side, model_.document(), outcome_.get(), editor_.halfPair(), editor_.selection());
+    pane(side)->setMarks(std::move(view.marks));
+    PaneFrame* frame = frames_[index(side)];
+    remedies_[index(side)] = view.verdict.remedy;
+    if (view.verdict.problem) {
+      frame->setProblem(view.verdict.text, label(view.verdict.remedy));
+    } else {
+      frame->setProblem({}, {});
+      frame->setHint(view.verdict.text);
+    }
+  }
+}
+
+void TilesPage::enlarge(Side side, bool enlarged) {
+  frames_[1 - index(side)]->setVisible(!enlarged);
+}
+
+void TilesPage::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (!model_.committed().closed) {
+        editor_.close();
+        return;
+      }
+      break;
+    case Qt::Key_Escape:
+      if (!editor_.backOut()) {
+        Q_EMIT backedOut();
+      }
+      return;
+    default:
+      break;
+  }
+  QWidget::keyPressEvent(event);
+}
+
+void TilesPage::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) {
+    showTitles();
+  }
+  QWidget::changeEvent(event);
+}
+
+}  // namespace graftsman

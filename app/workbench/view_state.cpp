@@ -1,0 +1,82 @@
+#include "app/workbench/view_state.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <initializer_list>
+#include <utility>
+
+#include "app/workbench/main_window.h"
+#include "widgets/viewport/viewport.h"
+
+namespace graftsman {
+namespace {
+
+constexpr std::pair<const char*, MainWindow::Mode> kModes[] = {{"start", MainWindow::Mode::Start},
+                                                               {"tiles", MainWindow::Mode::Tiles},
+                                                               {"fusion", MainWindow::Mode::Fusion}};
+constexpr const char* kPanes[] = {"partPane", "basePane", "resultPane"};
+
+QJsonArray toJson(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+// False: no three numbers.
+bool fromJson(const QJsonValue& value, Eigen::Vector3d& v) {
+  const QJsonArray array = value.toArray();
+  if (array.size() != 3) {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (!array[i].isDouble()) {
+      return false;
+    }
+    v[i] = array[i].toDouble();
+  }
+  return v.allFinite();
+}
+
+}  // namespace
+
+std::string writeViewState(const MainWindow& window) {
+  QJsonObject state;
+  for (const auto& [name, mode] : kModes) {
+    if (window.mode() == mode) {
+      state["mode"] = name;
+    }
+  }
+  QJsonObject cameras;
+  for (const char* name : kPanes) {
+    const Camera camera = window.findChild<Viewport*>(name)->camera();
+    cameras[name] = QJsonObject{
+        {"position", toJson(camera.position)}, {"pivot", toJson(camera.pivot)}, {"up", toJson(camera.up)}};
+  }
+  state["cameras"] = cameras;
+  return QJsonDocument(state).toJson(QJsonDocument::Compact).toStdString();
+}
+
+void readViewState(const std::string& text, MainWindow& window) {
+  const QJsonObject state = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+  const Document& document = window.model().document();
+  MainWindow::Mode wanted = document.closed                  ? MainWindow::Mode::Fusion
+                            : document.part || document.base ? MainWindow::Mode::Tiles
+                                                             : MainWindow::Mode::Start;
+  for (const auto& [name, mode] : kModes) {
+    if (state["mode"].toString() == name) {
+      wanted = mode;
+    }
+  }
+  window.setMode(wanted);
+  window.lookAtFirst();
+  const QJsonObject cameras = state["cameras"].toObject();
+  for (const char* name : kPanes) {
+    const QJsonObject values = cameras[name].toObject();
+    Camera camera;
+    if (fromJson(values["position"], camera.position) && fromJson(values["pivot"], camera.pivot) &&
+        fromJson(values["up"], camera.up)) {
+      window.findChild<Viewport*>(name)->setCamera(camera);
+    }
+  }
+}
+
+}  // namespace graftsman

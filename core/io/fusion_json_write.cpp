@@ -1,0 +1,52 @@
+#include <string>
+
+#include "core/io/fusion_json.h"
+#include "core/io/scenario_keys.h"
+
+namespace graftsman::fusion_json {
+namespace {
+
+Ordered surfacePoint(const SurfacePoint& point) {
+  if (point.vertex >= 0) {
+    return point.vertex;
+  }
+  return {{"face", point.face}, {"bary", {point.bary[0], point.bary[1], point.bary[2]}}};
+}
+
+}  // namespace
+
+Ordered toJson(const Loop& loop) {
+  Ordered list = Ordered::array();
+  for (const CVP& cvp : loop) {
+    list.push_back(Ordered::array({surfacePoint(cvp.part), surfacePoint(cvp.base)}));
+  }
+  return list;
+}
+
+void writeInputs(Ordered& object, const FusionInputs& inputs) {
+  object["cvp"] = toJson(inputs.loop);
+  object["fcf"] = Ordered::array();
+  for (const FCFPoint& point : inputs.fcf.points()) {
+    object["fcf"].push_back(Ordered::array({point.s, point.f}));
+  }
+  object["monotone"] = inputs.fcf.monotone();
+  object["deform_exponent"] = inputs.adjustment.falloff;
+  object["paths"] = scenario_keys::wordFor(scenario_keys::kPathModes, inputs.paths);
+  object["allow_large_tile"] = inputs.tile.allowLargeTile;
+  object["adjustment"] = {
+      {"rigid", inputs.adjustment.rigid},          {"scale", inputs.adjustment.scale},
+      {"line_field", inputs.adjustment.lineField}, {"exact_fit", inputs.adjustment.exactFit},
+      {"epsilon", inputs.adjustment.epsilon},      {"max_iterations", inputs.adjustment.maxIterations}};
+  object["embedding"] = scenario_keys::wordFor(scenario_keys::kEmbeddingMethods, inputs.embedding.method);
+}
+
+Ordered toJson(const ReadReport& report) {
+  Ordered object = {{"format", scenario_keys::wordFor(scenario_keys::kMeshFormats, report.format)},
+                    {"binary", report.binary}};
+  for (const auto& [key, count] : scenario_keys::kReportCounts) {
+    object[key] = report.*count;
+  }
+  return object;
+}
+
+}  // namespace graftsman::fusion_json

@@ -1,0 +1,365 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <new>
+#include <set>
+#include <utility>
+
+#include "core/io/fusion_json.h"
+#include "core/io/printable.h"
+#include "core/io/read_file.h"
+#include "core/project/project_mesh.h"
+#include "core/project/project_parse.h"
+#include "core/project/project_remains.h"
+
+namespace graftsman {
+
+using namespace fusion_json;
+
+namespace {
+
+constexpr double kFileShare = 0.3;          // of the progress: the file into memory
+constexpr double kMeshesShare = 0.9;        // up to here, its meshes
+constexpr std::size_t kLongestName = 4096;  // of an entry that is kept; longer ones are no one's work
+constexpr std::size_t kLongestPath = 400;   // bytes in a message
+
+std::string inQuotes(const std::string& text) {
+  return "\"" + printable(text, kLongestPath) + "\"";
+}
+
+// A text that is missing or something else costs nobody anything.
+std::string textOr(const json& object, const char* key, const std::string& fallback) {
+  const json* value = find(object, key);
+  return value != nullptr && value->is_string() ? value->get<std::string>() : fallback;
+}
+
+unsigned version(const json& document, const char* key) {
+  return static_cast<unsigned>(index(demand(document, key, "a whole number"), key, "a whole number"));
+}
+
+const json& list(const json& document, const char* key) {
+  const json& value = demand(document, key, "a list");
+  if (!value.is_array()) {
+    malformed(key, "a list");
+  }
+  return value;
+}
+
+// Why this program must not open the document; empty if it may. Throws Malformed.
+std::string needed(const json& document) {
+  const unsigned reader = version(document, "minimum_reader_version");
+  std::string why;
+  if (reader > project_keys::kReader) {
+    why = "its format is " + std::to_string(reader) + ", and this program reads " +
+          std::to_string(project_keys::kReader);
+  }
+  // Format 1 has no feature that a reader could lack.
+  for (const json& feature : list(document, "required_features")) {
+    why += (why.empty() ? "" : "; ") + std::string("it uses ") +
+           inQuotes(string(feature, "required_features", "a list of names"));
+  }
+  return why;
+}
+
+class ProjectReader {
+ public:
+  ProjectReader(ZipReader zip, std::string name, const Progress& progress)
+      : zip_(std::move(zip)), name_(std::move(name)), progress_(progress) {}
+
+  Result<LoadedProject> read() {
+    const ZipEntry* entry = zip_.find(project_keys::kDocumentEntry);
+    if (entry == nullptr) {
+      return malformedFile("is no Graftsman project: it has no document.json.");
+    }
+    const Result<std::string> text = zip_.content(*entry, {});
+    if (!text) {
+      return malformedFile("cannot be opened: its document.json is damaged (" + text.error().message + ").");
+    }
+    try {
+      json document = parse(*text);
+      if (!document.is_object()) {
+        return malformedFile("cannot be understood: its document.json is no JSON object.");
+      }
+      if (const std::string why = needed(document); !why.empty()) {
+        return fail(ErrorCode::ProjectTooNew,
+                    name_ + ": needs a newer version of this program: " + why + ". It was saved by " +
+                        printable(textOr(document, "written_by", "a newer Graftsman"), kLongestPath) +
+                        "; open it with that. The file was left as it is.");
+      }
+      version(document, "format_version");
+      readDocument(document);
+      readRest();
+      keepRemains(std::move(document));
+    } catch (const Malformed& wrong) {
+      return malformedFile("cannot be understood: in its document.json " + wrong.what);
+    }
+    if (progress_.cancelled()) {
+      return fail(ErrorCode::Cancelled, "Opening the project was cancelled.");
+    }
+    return std::move(loaded_);
+  }
+
+ private:
+  tl::unexpected<Error> malformedFile(const std::string& what) const {
+    return fail(ErrorCode::FileMalformed, name_ + ": " + what);
+  }
+
+  void lose(Error error) { loaded_.damage.push_back(std::move(error)); }
+
+  // The same for what makes the result.
+  void loseOfFusion(Error error) {
+    loaded_.fusionIntact = false;
+    lose(std::move(error));
+  }
+
+  void readDocument(const json& document) {
+    const json& fusions = list(document, "fusions");
+    const json& meshes = list(document, "meshes");
+    if (fusions.empty()) {
+      return;
+    }
+    const json& fusion = fusions.front();
+    if (!fusion.is_object()) {
+      loseOfFusion({ErrorCode::FileMalformed,
+                    "The project's fusion cannot be understood, so it starts anew. Load the meshes again."});
+      return;
+    }
+    Document& read = loaded_.project.document;
+    const double half = kMeshesShare / 2;
+    read.part = asset(Side::Part, fusion, meshes, progress_.span(0, half));
+    read.base = asset(Side::Base, fusion, meshes, progress_.span(half, kMeshesShare));
+    read.inputs.part = read.part ? read.part->mesh : nullptr;
+    read.inputs.base = read.base ? read.base->mesh : nullptr;
+    readInputs(fusion);
+  }
+
+  void readInputs(const json& fusion) {
+    Document& read = loaded_.project.document;
+    const auto complain = [&](const Malformed& wrong) {
+      loseOfFusion({wrong.code == ErrorCode::ScenarioMalformed ? ErrorCode::FileMalformed : wrong.code,
+                    "In the project's document.json " + wrong.what +
+                        " The default was taken instead; look at it before you save."});
+    };
+    readSettings(fusion, read.inputs, complain);
+    try {
+      read.inputs.loop = loop(demand(fusion, "cvp", "a list of pairs"));
+      read.closed = boolean(demand(fusion, "closed", "true or false"), "closed");
+    } catch (const Malformed& wrong) {
+      complain(wrong);
+    }
+    dropUnknownPoints();
+    constexpr std::size_t kShortestLoop = 3;
+    read.closed = read.closed && read.inputs.loop.size() >= kShortestLoop;
+  }
+
+  // Takes out the pairs that name what their meshes do not have.
+  void dropUnknownPoints() {
+    FusionInputs& inputs = loaded_.project.document.inputs;
+    const auto knows = [](const std::shared_ptr<const TriangleMesh>& mesh, const SurfacePoint& point) {
+      return !mesh ||
+             (point.vertex >= 0 ? point.vertex < mesh->vertexCount() : point.face < mesh->faceCount());
+    };
+    Loop kept;
+    std::vector<int> lost;
+    std::string numbers;
+    for (std::size_t i = 0; i < inputs.loop.size(); ++i) {
+      const CVP& pair = inputs.loop[i];
+      if (knows(inputs.part, pair.part) && knows(inputs.base, pair.base)) {
+        kept.push_back(pair);
+      } else {
+        lost.push_back(static_cast<int>(i));
+        numbers += (numbers.empty() ? "" : ", ") + std::to_string(i);
+      }
+    }
+    if (!lost.empty()) {
+      loseOfFusion({ErrorCode::LoopIndexOutOfRange,
+                    "The loop named vertices or faces that its meshes do not have; these pairs were left "
+                    "out: " +
+                        printable(numbers, kLongestPath) + ". Insert them again.",
+                    {},
+                    std::move(lost)});
+      inputs.loop = std::move(kept);
+    }
+  }
+
+  // The mesh that the fusion names for this side; null if it names none, or none that can be read.
+  std::shared_ptr<const MeshAsset> asset(Side side, const json& fusion, const json& meshes,
+                                         const Progress& progress) {
+    const json* reference = find(fusion, name(side));
+    if (reference == nullptr || reference->is_null()) {
+      return nullptr;
+    }
+    std::string lost = "mesh";
+    std::string remedy = "Load it again";
+    try {
+      const Index id = index(*reference, name(side), "the number of a mesh");
+      if (const auto known = assets_.find(id); known != assets_.end()) {
+        return known->second;
+      }
+      const json& record = recordOf(id, meshes);
+      auto read = std::make_shared<MeshAsset>();
+      const std::string entry = string(demand(record, "entry", "a name"), "entry", "a name");
+      consumed_.insert(entry);
+      read->name = textOr(record, "name", entry);
+      const std::string source = textOr(record, "source", "");
+      read->source = source;
+      lost += " " + inQuotes(read->name) + " (" + printable(entry) + ")";
+      remedy += source.empty() ? "" : ": it was read from " + printable(source, kLongestPath);
+      read->report = reportOf(record);
+      read->mesh = mesh(entry, record, progress);
+      remains_->known.push_back({read, id, record});
+      assets_[id] = read;
+      return read;
+    } catch (const Malformed& wrong) {
+      loseOfFusion({ErrorCode::FileMalformed,
+                    std::string("The ") + name(side) + "'s " + lost + " is damaged and was left out: " +
+                        wrong.what + (wrong.what.ends_with(".") ? " " : ". ") + remedy + ".",
+                    side});
+    }
+    return nullptr;
+  }
+
+  const json& recordOf(Index id, const json& meshes) {
+    usedIds_.insert(id);
+    for (const json& record : meshes) {
+      if (hasId(record, id)) {
+        return record;
+      }
+    }
+    throw Malformed{ErrorCode::FileMalformed, "the project has no mesh number " + std::to_string(id)};
+  }
+
+  static bool hasId(const json& record, Index id) {
+    const json* given = record.is_object() ? find(record, "id") : nullptr;
+    return given != nullptr && given->is_number_unsigned() && *given == id;
+  }
+
+  ReadReport reportOf(const json& record) {
+    try {
+      const json* report = find(record, "report");
+      return report == nullptr ? ReadReport() : readReport(*report);
+    } catch (const Malformed& wrong) {
+      lose({ErrorCode::FileMalformed, "In the project's document.json " + wrong.what +
+                                          " What was done on reading this mesh is forgotten; the mesh is "
+                                          "whole, nothing needs to be done."});
+    }
+    return {};
+  }
+
+  // Throws Malformed. A mesh that two records name is read once.
+  std::shared_ptr<const TriangleMesh> mesh(const std::string& name, const json& record,
+                                           const Progress& progress) {
+    const auto wrong = [](const std::string& what) { return Malformed{ErrorCode::FileMalformed, what}; };
+    const ZipEntry* entry = zip_.find(name);
+    if (entry == nullptr) {
+      throw wrong("the file has no such entry");
+    }
+    std::shared_ptr<const TriangleMesh>& mesh = meshes_[name];
+    if (!mesh) {
+      Result<std::shared_ptr<const TriangleMesh>> read = readMeshEntry(zip_, *entry, progress);
+      if (!read) {
+        throw wrong(read.error().message);
+      }
+      mesh = std::move(*read);
+    }
+    const auto differs = [&](const char* key, std::uint64_t value) {
+      const json* given = find(record, key);
+      return given != nullptr && *given != value;
+    };
+    if (differs("vertices", static_cast<std::uint64_t>(mesh->vertexCount())) ||
+        differs("faces", static_cast<std::uint64_t>(mesh->faceCount())) || differs("crc32", entry->crc32)) {
+      throw wrong("it is not the mesh that the project was saved with");
+    }
+    return mesh;
+  }
+
+  // The picture and the state of the interface.
+  void readRest() {
+    const auto read = [&](const char* name, const char* what, std::string& target) {
+      consumed_.insert(name);
+      const ZipEntry* entry = zip_.find(name);
+      Result<std::string> content = entry == nullptr ? std::string() : zip_.content(*entry, progress_);
+      if (content) {
+        target = std::move(*content);
+      } else {
+        lose({content.error().code, std::string(what) + " (" + name + ") is damaged and was left out: " +
+                                        content.error().message + ". Saving the project makes it anew."});
+      }
+    };
+    read(project_keys::kThumbnailEntry, "The project's small picture", loaded_.project.thumbnail);
+    read(project_keys::kViewEntry, "The state of the views", loaded_.project.viewState);
+  }
+
+  // What this version does not know goes along, to be written again.
+  void keepRemains(json document) {
+    consumed_.insert({project_keys::kMimetypeEntry, project_keys::kDocumentEntry});
+    for (const ZipEntry& entry : zip_.entries()) {
+      const bool isFolder = entry.name.ends_with('/');
+      if (isFolder || !consumed_.insert(entry.name).second) {
+        continue;
+      }
+      Result<std::string> content = std::string();
+      if (entry.name.empty() || entry.name.size() > kLongestName) {
+        content = fail(ErrorCode::FileMalformed, "its name is empty or very long");
+      } else {
+        content = zip_.content(entry, progress_);
+      }
+      if (content) {
+        remains_->entries.push_back({entry.name, std::move(*content), entry.stored});
+      } else {
+        lose({ErrorCode::FileMalformed,
+              "The entry " + inQuotes(entry.name) +
+                  ", which this version does not know, is damaged and was left out: " +
+                  content.error().message + ". If it matters, keep a copy of the file before you save."});
+      }
+    }
+    for (json& record : document["meshes"]) {
+      const bool used =
+          std::any_of(usedIds_.begin(), usedIds_.end(), [&](Index id) { return hasId(record, id); });
+      if (!used) {
+        remains_->otherMeshes.push_back(std::move(record));
+      }
+    }
+    document.erase("meshes");
+    remains_->document = std::move(document);
+    loaded_.project.remains = remains_;
+  }
+
+  ZipReader zip_;
+  std::string name_;
+  Progress progress_;
+  LoadedProject loaded_;
+  std::shared_ptr<ProjectRemains> remains_ = std::make_shared<ProjectRemains>();
+  std::map<Index, std::shared_ptr<const MeshAsset>> assets_;           // by id
+  std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes_;  // by entry
+  std::set<Index> usedIds_;
+  std::set<std::string> consumed_;  // names of entries that the document or the remains hold by now
+};
+
+}  // namespace
+
+Result<LoadedProject> parseProject(std::span<const char> bytes, const std::filesystem::path& path,
+                                   const Progress& progress) {
+  const std::string name = printable(path.string(), kLongestPath);
+  try {
+    Result<ZipReader> zip = ZipReader::open(bytes);
+    if (!zip) {
+      return fail(ErrorCode::FileMalformed,
+                  name + ": is no Graftsman project, or its end is missing (" + zip.error().message + ").");
+    }
+    return ProjectReader(std::move(*zip), name, progress).read();
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::OutOfMemory, name + ": not enough memory to open the project.");
+  }
+}
+
+Result<LoadedProject> readProject(const std::filesystem::path& path, const Progress& progress) {
+  const Result<FileBytes> file = readFile(path, progress.span(0, kFileShare));
+  if (!file) {
+    return fail(file.error());
+  }
+  return parseProject(file->bytes(), path, progress.span(kFileShare, 1));
+}
+
+}  // namespace graftsman

@@ -1,0 +1,153 @@
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "app/document/stage_runner.h"
+#include "tests/support/documents.h"
+
+using namespace graftsman;
+
+namespace {
+constexpr int kPatienceMs = 60'000;
+}
+
+class StageRunnerTest : public QObject {
+  Q_OBJECT
+
+ private:
+  // A runner, and the outcomes that it told.
+  struct Run {
+    StageRunner runner;
+    std::vector<std::shared_ptr<const Outcome>> told;
+
+    Run() {
+      connect(&runner, &StageRunner::finished, &runner,
+              [this](const std::shared_ptr<const Outcome>& outcome) { told.push_back(outcome); });
+    }
+    // The last outcome, once the runner is idle; null: there was none.
+    std::shared_ptr<const Outcome> settle() {
+      if (!QTest::qWaitFor([this] { return !runner.busy(); }, kPatienceMs) || told.empty()) {
+        return nullptr;
+      }
+      return told.back();
+    }
+  };
+
+ private Q_SLOTS:
+  void aClosedLoopGivesWhatUpdateGives() {
+    Run run;
+    const Document document = samples::document("fig4c_cone_sphere");
+    run.runner.request(document, StageRunner::Urgency::Edit);
+    QVERIFY(run.runner.busy());
+    const auto outcome = run.settle();
+    QVERIFY(outcome && outcome->results && outcome->results->fused);
+    QVERIFY(outcome->results->fused->points == update(document.inputs, {}, {}).fused->points);
+    QVERIFY(outcome->document == document);
+  }
+
+  void anOpenLoopGivesItsPaths() {
+    Run run;
+    Document document = samples::document("fig8b_cone_nose");
+    document.closed = false;
+    run.runner.request(document, StageRunner::Urgency::Edit);
+    const auto outcome = run.settle();
+    QVERIFY(outcome && !outcome->results);
+    QCOMPARE(outcome->openBase->paths.size(), document.inputs.loop.size() - 1);
+    QVERIFY(!outcome->openBase->error);
+  }
+
+  void aLoopThatFailsOnOneMeshKeepsWhatTheOtherHas() {
+    Run run;
+    Document document = samples::document("fig8b_cone_nose");
+    document.inputs.loop[1].base = document.inputs.loop[2].base;
+    run.runner.request(document, StageRunner::Urgency::Edit);
+    const auto outcome = run.settle();
+    QVERIFY(outcome && outcome->results && outcome->results->error);
+    QCOMPARE(outcome->results->error->code, ErrorCode::LoopRepeatsPoint);
+    QVERIFY(!outcome->results->fused);
+    QVERIFY(outcome->results->part.paths && !outcome->openPart);
+    QVERIFY(!outcome->results->base.paths && outcome->openBase);
+  }
+
+  void theNewestInputsWin() {
+    Run run;
+    Document document = samples::document("fig9b_bird_plane");
+    for (int i = 0; i < 20; ++i) {
+      document.inputs.adjustment.falloff = 3 + i;
+      run.runner.request(document, StageRunner::Urgency::Edit);
+    }
+    const auto outcome = run.settle();
+    QVERIFY(outcome && outcome->document == document);
+    QVERIFY(outcome->results->fused->points == update(document.inputs, {}, {}).fused->points);
+    QVERIFY(run.told.size() < 20);
+  }
+
+  void aDragIsSeenOnItsWay() {
+    Run run;
+    Document document = samples::document("fig9b_bird_plane");
+    QSignalSpy finished(&run.runner, &StageRunner::finished);
+    for (int i = 0; i < 5; ++i) {
+      document.inputs.adjustment.falloff = 3 + i;
+      run.runner.request(document, StageRunner::Urgency::Drag);
+      // The next move comes before this one is done.
+      document.inputs.adjustment.falloff = 3.5 + i;
+      run.runner.request(document, StageRunner::Urgency::Drag);
+      QVERIFY(finished.wait(kPatienceMs));
+    }
+    QVERIFY(run.settle()->document == document);
+  }
+
+  void anEditOfTheCurveNeverCancelsARun() {
+    Run run;
+    Document document = samples::document("fig8b_cone_nose");
+    run.runner.request(document, StageRunner::Urgency::Edit);
+    document.inputs.fcf = FCF::preset(FCF::Preset::Half);
+    run.runner.request(document, StageRunner::Urgency::Edit);
+    const auto outcome = run.settle();
+    QVERIFY(outcome && outcome->document == document);
+    QVERIFY(!outcome->cancelled);
+  }
+
+  void cancelLeavesEverythingUsable() {
+    Run run;
+    const Document document = samples::document("fig9b_bird_plane");
+    run.runner.request(document, StageRunner::Urgency::Edit);
+    run.runner.cancel();
+    auto outcome = run.settle();
+    QVERIFY(outcome && outcome->cancelled);
+    run.runner.request(document, StageRunner::Urgency::Edit);
+    outcome = run.settle();
+    QVERIFY(!outcome->cancelled);
+    QVERIFY(outcome->results->fused);
+  }
+
+  void cancelWithNothingUnderWayIsNothing() {
+    Run run;
+    run.runner.cancel();
+    QCoreApplication::processEvents();
+    QVERIFY(run.told.empty());
+    QVERIFY(!run.runner.busy());
+  }
+
+  void theAdjustmentRunsAgainWhenAsked() {
+    Run run;
+    const Document document = samples::document("fig8d_hemisphere_nose");
+    run.runner.request(document, StageRunner::Urgency::Edit);
+    const auto first = run.settle();
+    run.runner.requestAdjustment(document);
+    const auto second = run.settle();
+    QVERIFY(first->results->adjustment != second->results->adjustment);
+    QVERIFY(second->results->run(Stage::Adjust).ran);
+    QVERIFY(!second->results->run(Stage::Paths).ran);
+    QVERIFY(first->results->fused->points == second->results->fused->points);
+  }
+
+  void aRunnerGoesAwayInTheMiddleOfARun() {
+    for (int i = 0; i < 10; ++i) {
+      StageRunner runner;
+      runner.request(samples::document("fig9b_bird_plane"), StageRunner::Urgency::Edit);
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(StageRunnerTest)
+#include "stage_runner_test.moc"

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <QAction>
+#include <QApplication>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <filesystem>
+#include <memory>
+
+#include "app/document/stage_runner.h"
+#include "app/workbench/actions.h"
+#include "app/workbench/fusion_page.h"
+#include "app/workbench/job_queue.h"
+#include "app/workbench/main_window.h"
+#include "core/io/scenario.h"
+#include "tests/support/samples.h"
+#include "widgets/viewport/mesh_pane.h"
+#include "widgets/viewport/result_pane.h"
+
+/// The real window under a test's hands.
+namespace graftsman {
+
+inline constexpr int kPatienceMs = 60'000;
+
+struct Workbench {
+  QTemporaryDir folder;
+  std::unique_ptr<MainWindow> window;
+
+  explicit Workbench(const QString& recovery = {}) {
+    window = std::make_unique<MainWindow>(recovery.isEmpty() ? folder.filePath("recovery") : recovery);
+    window->resize(1280, 800);
+    window->show();
+    window->activateWindow();
+    if (!QTest::qWaitForWindowActive(window.get())) {
+      qFatal("the window does not become active");
+    }
+  }
+
+  [[nodiscard]] MeshPane* pane(Side side) const {
+    return window->findChild<MeshPane*>(side == Side::Part ? "partPane" : "basePane");
+  }
+  [[nodiscard]] ResultPane* resultPane() const { return window->findChild<ResultPane*>("resultPane"); }
+  [[nodiscard]] QAction* action(const char* name) const { return window->actions()[name]; }
+  [[nodiscard]] const Document& document() const { return window->model().document(); }
+
+  /// True once no stage and no job is under way.
+  [[nodiscard]] bool settle() const {
+    return QTest::qWaitFor([this] { return !window->jobs().busy() && !window->runner().busy(); },
+                           kPatienceMs);
+  }
+  [[nodiscard]] bool openSample(const std::string& name) const {
+    window->openFile(QString::fromStdString(samples::scenarioPath(name).string()));
+    return settle() && window->fusionPage().shown();
+  }
+
+  /// Turns the pane's camera so that the point is seen from outside, in the middle.
+  void lookAt(MeshPane* pane, const TriangleMesh& mesh, Index vertex) const {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    Index h = mesh.outgoing(vertex);
+    const Index first = h;
+    do {
+      const Face& face = mesh.face(TriangleMesh::faceOf(h));
+      normal += (mesh.point(face[1]) - mesh.point(face[0]))
+                    .cross(mesh.point(face[2]) - mesh.point(face[0]))
+                    .stableNormalized();
+      h = mesh.twin(TriangleMesh::prev(h));
+    } while (h >= 0 && h != first);
+    normal.normalize();
+    const Eigen::Vector3d up =
+        std::abs(normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+    pane->setCamera({mesh.point(vertex) + 0.25 * mesh.diagonal() * normal, mesh.point(vertex), up});
+  }
+
+  /// Clicks on a vertex of the pane's mesh.
+  void clickVertex(Side side, Index vertex) const {
+    const auto& mesh = side == Side::Part ? document().inputs.part : document().inputs.base;
+    QPoint at;
+    const auto inView = [&] {
+      lookAt(pane(side), *mesh, vertex);
+      at = pane(side)->screenPosition(mesh->point(vertex)).toPoint();
+      return pane(side)->pickAt(at, false).has_value();
+    };
+    // Not before the mesh is made ready.
+    if (!QTest::qWaitFor(inView, kPatienceMs)) {
+      qFatal("nothing to pick");
+    }
+    QTest::mouseMove(pane(side), at);
+    QTest::mouseClick(pane(side), Qt::LeftButton, {}, at);
+  }
+
+  void drop(QWidget* target, const QString& path) const {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    const QPoint at = target->rect().center();
+    QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(target, &enter);
+    QDropEvent dropped(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(target, &dropped);
+  }
+
+  /// What the status bar says.
+  [[nodiscard]] QString status() const { return window->findChild<QLabel*>("statusMessage")->text(); }
+};
+
+}  // namespace graftsman
