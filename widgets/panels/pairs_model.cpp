@@ -8,6 +8,7 @@
 #include <QPixmap>
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "widgets/panels/numbers.h"
@@ -169,10 +170,13 @@ void PairsModel::setRows(std::vector<PairRow> rows) {
   if (removed > added) {
     beginRemoveRows({}, shiftAt, begin + removed - 1);
     rows_.erase(rows_.begin() + shiftAt, rows_.begin() + begin + removed);
+    numbers_.erase(numbers_.begin() + shiftAt, numbers_.begin() + begin + removed);
     endRemoveRows();
   } else if (added > removed) {
     beginInsertRows({}, shiftAt, begin + added - 1);
     rows_.insert(rows_.begin() + shiftAt, rows.begin() + shiftAt, rows.begin() + begin + added);
+    numbers_.insert(numbers_.begin() + shiftAt, static_cast<std::size_t>(added - removed), 0);
+    std::iota(numbers_.begin() + shiftAt, numbers_.begin() + begin + added, shiftAt);
     endInsertRows();
   }
   for (int i = begin; i < shiftAt; ++i) {
@@ -183,6 +187,7 @@ void PairsModel::setRows(std::vector<PairRow> rows) {
     }
   }
   if (removed != added) {  // those behind have another number now
+    std::iota(numbers_.begin() + begin + added, numbers_.end(), begin + added);
     tellChanged(begin + added, rowCount() - 1, Number, Number);
   }
 }
@@ -206,15 +211,16 @@ QVariant PairsModel::data(const QModelIndex& index, int role) const {
     return {};
   }
   const PairRow& row = rows_[static_cast<std::size_t>(index.row())];
+  const int number = numbers_[static_cast<std::size_t>(index.row())];
   const bool aboutProblem = index.column() == Problem && !row.problem.isEmpty();
   switch (role) {
     case Qt::DisplayRole:
-      return text(row, index.row(), index.column());
+      return text(row, number, index.column());
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
-      return details(row, index.row(), index.column());
+      return details(row, number, index.column());
     case Qt::DecorationRole:
-      return index.column() == Number ? QVariant(swatch(index.row(), isHalf(row)))
+      return index.column() == Number ? QVariant(swatch(number, isHalf(row)))
              : aboutProblem           ? QVariant(icon(QStringLiteral("problem"), problemColour()))
                                       : QVariant();
     case Qt::ForegroundRole:
@@ -247,4 +253,3 @@ QVariant PairsModel::headerData(int section, Qt::Orientation orientation, int ro
 
 }  // namespace graftsman
 
-#include "moc_pairs_model.cpp"  // NOLINT(bugprone-suspicious-include)

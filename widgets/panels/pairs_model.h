@@ -42,6 +42,7 @@ class PairsModel : public QAbstractTableModel {
   void tellChanged(int first, int last, Column from, Column to);
 
   std::vector<PairRow> rows_;
+  std::vector<int> numbers_;  // as told; behind an insertion they follow a moment later
 };
 
 }  // namespace graftsman
