@@ -2,6 +2,7 @@
 
 #include "core/io/fusion_json.h"
 #include "core/io/printable.h"
+#include "core/io/scenario_check.h"
 
 namespace graftsman {
 
@@ -39,7 +40,9 @@ Result<Scenario> parseScenario(std::string_view text, const std::filesystem::pat
     return fail(code, printable(path.string(), 400) + ": " + what);
   };
   try {
-    return scenarioOf(parse(text), path);
+    Scenario scenario = scenarioOf(parse(text), path);
+    const std::string slip = slipIn(text);
+    return slip.empty() ? Result<Scenario>(std::move(scenario)) : error(ErrorCode::ScenarioMalformed, slip);
   } catch (const Malformed& wrong) {
     return error(wrong.code, wrong.what);
   }

@@ -170,6 +170,25 @@ class ScenarioTest : public QObject {
     mustFail(R"({"m1": "a", "m2": "b"})", "\"cvp\" is missing");
   }
 
+  void unknownSettingsOfTheAdjustmentAreNamed() {
+    mustFail(
+        with(R"("adjustment": {"rigid": true, "exactfit": false})"),
+        "\"adjustment.exactfit\" is no setting; \"adjustment\" takes rigid, scale, line_field, exact_fit, "
+        "epsilon, max_iterations.");
+    mustFail(with("\"adjustment\": {\"\\u001b[31m\": {\"a\": 1}}"), "\"adjustment.\\x1b[31m\" is no setting");
+  }
+
+  void keysGivenTwiceAreNamed() {
+    mustFail(with(R"("m1": "c.obj")"), "\"m1\" is given twice; leave one of them out.");
+    mustFail(with(R"("adjustment": {"rigid": true, "scale": true, "rigid": true})"),
+             "\"adjustment.rigid\" is given twice");
+    mustFail(with(R"("adjustment": {"rigid": true}, "adjustment": {"rigid": true})"),
+             "\"adjustment\" is given twice");
+    mustFail(R"({"m1": "a", "m2": "b", "cvp": [[0, 1], [2, {"face": 5, "bary": [1, 0, 0], "face": 6}]]})",
+             "\"cvp.face\" is given twice");
+    QVERIFY(parse(with(R"("note": {"a": 1, "a": 2, "adjustment": {"b": 3, "b": 4}}, "fcf": "paste")")));
+  }
+
   void wrongTypesAreNamedWithWhatWasExpected() {
     mustFail("[]", "JSON object");
     mustFail("3", "JSON object");
