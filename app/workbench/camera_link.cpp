@@ -7,7 +7,7 @@ namespace {
 
 // The camera's axis, its way without elevation, and across; as columns.
 Eigen::Matrix3d uprightFrame(const Camera& camera) {
-  const Eigen::Vector3d up = camera.up.normalized();
+  const Eigen::Vector3d up = camera.axis;
   Eigen::Vector3d way = camera.pivot - camera.position;
   way -= up * up.dot(way);
   // Along the axis there is no way without elevation: any one does.
@@ -30,7 +30,7 @@ Camera follow(const CameraLink& link, const Camera& leader) {
   const auto carried = [&](const Point& point) -> Point {
     return link.to + link.scale * (link.turn * (point - link.from));
   };
-  return {carried(leader.position), carried(leader.pivot), link.turn * leader.up};
+  return {carried(leader.position), carried(leader.pivot), link.turn * leader.up, link.turn * leader.axis};
 }
 
 }  // namespace graftsman

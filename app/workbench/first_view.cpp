@@ -52,7 +52,7 @@ Camera firstView(const Document& document, Side side) {
   }
   const Eigen::Vector3d beside = up.cross(front);
   const Eigen::Vector3d direction = (front + kBeside * beside + kAbove * up).normalized();
-  return {direction * asset->mesh->diagonal(), Point::Zero(), up};
+  return {direction * asset->mesh->diagonal(), Point::Zero(), up, up};
 }
 
 }  // namespace graftsman

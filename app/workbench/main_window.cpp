@@ -314,7 +314,7 @@ void MainWindow::lookAtFirst() {
   const Document& document = model_->document();
   const auto look = [&](Viewport* viewport, Side side) {
     if (document.of(side)) {
-      viewport->setCamera(firstView(document, side));
+      viewport->aim(firstView(document, side));
     }
   };
   look(tiles_->pane(Side::Part), Side::Part);

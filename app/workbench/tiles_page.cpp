@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/document/loop_editor.h"
+#include "app/workbench/first_view.h"
 #include "widgets/panels/pane_frame.h"
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/mesh_pane.h"
@@ -100,7 +101,12 @@ void TilesPage::setBusy(std::optional<double> progress) {
 void TilesPage::showDocument(Change change, const Touched& touched) {
   const Document& document = model_.document();
   for (const Side side : kSides) {
-    pane(side)->setMesh(side == Side::Part ? document.inputs.part : document.inputs.base);
+    const auto& mesh = side == Side::Part ? document.inputs.part : document.inputs.base;
+    if (mesh && mesh != meshes_[index(side)]) {
+      pane(side)->aim(firstView(document, side));
+    }
+    meshes_[index(side)] = mesh;
+    pane(side)->setMesh(mesh);
   }
   showTitles();
   showLoop();

@@ -3,7 +3,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <initializer_list>
+#include <cmath>
 #include <utility>
 
 #include "app/workbench/main_window.h"
@@ -36,6 +36,11 @@ bool fromJson(const QJsonValue& value, Eigen::Vector3d& v) {
   return v.allFinite();
 }
 
+// A file may say anything.
+bool isUsable(const Camera& camera) {
+  return camera.position != camera.pivot && camera.up.norm() > 0 && std::abs(camera.axis.norm() - 1) < 1e-9;
+}
+
 }  // namespace
 
 std::string writeViewState(const MainWindow& window) {
@@ -48,8 +53,10 @@ std::string writeViewState(const MainWindow& window) {
   QJsonObject cameras;
   for (const char* name : kPanes) {
     const Camera camera = window.findChild<Viewport*>(name)->camera();
-    cameras[name] = QJsonObject{
-        {"position", toJson(camera.position)}, {"pivot", toJson(camera.pivot)}, {"up", toJson(camera.up)}};
+    cameras[name] = QJsonObject{{"position", toJson(camera.position)},
+                                {"pivot", toJson(camera.pivot)},
+                                {"up", toJson(camera.up)},
+                                {"axis", toJson(camera.axis)}};
   }
   state["cameras"] = cameras;
   return QJsonDocument(state).toJson(QJsonDocument::Compact).toStdString();
@@ -73,7 +80,7 @@ void readViewState(const std::string& text, MainWindow& window) {
     const QJsonObject values = cameras[name].toObject();
     Camera camera;
     if (fromJson(values["position"], camera.position) && fromJson(values["pivot"], camera.pivot) &&
-        fromJson(values["up"], camera.up)) {
+        fromJson(values["up"], camera.up) && fromJson(values["axis"], camera.axis) && isUsable(camera)) {
       window.findChild<Viewport*>(name)->setCamera(camera);
     }
   }

@@ -1,5 +1,6 @@
 #include "widgets/viewport/camera_view.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,17 +11,28 @@ namespace {
 constexpr double kRightAngle = std::numbers::pi / 2;
 constexpr double kFrameFill = 0.92;  // a margin round what is framed
 
-/// The camera at these angles about the pivot: azimuth 0 is on the x axis, elevation 90° above.
+/// Turns the turntable's axis to z; the front stays the front (the way of −y for an axis z, of +z for y).
+Eigen::Matrix3d toAxisZ(const Camera& camera) {
+  return Eigen::Quaterniond::FromTwoVectors(camera.axis, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+/// The camera with its directions turned by `turn` about the pivot, its axis along with them.
+Camera turned(const Camera& camera, const Eigen::Matrix3d& turn) {
+  return {camera.pivot + turn * (camera.position - camera.pivot), camera.pivot, turn * camera.up,
+          turn * camera.axis};
+}
+
+/// The camera at these angles about the pivot and the axis z: azimuth 0 is on the x axis, elevation 90°
+/// above.
 Camera atAngles(const Point& pivot, double distance, double azimuth, double elevation) {
   const double ca = std::cos(azimuth);
   const double sa = std::sin(azimuth);
   const double ce = std::cos(elevation);
   const double se = std::sin(elevation);
-  Camera camera;
-  camera.pivot = pivot;
-  camera.position = pivot + distance * Eigen::Vector3d(ce * ca, ce * sa, se);
-  camera.up = Eigen::Vector3d(-se * ca, -se * sa, ce);
-  return camera;
+  return {pivot + distance * Eigen::Vector3d(ce * ca, ce * sa, se),
+          pivot,
+          {-se * ca, -se * sa, ce},
+          Eigen::Vector3d::UnitZ()};
 }
 
 }  // namespace
@@ -76,13 +88,18 @@ Camera CameraView::framing(const Eigen::AlignedBox3d& box) const {
 }
 
 Camera orbited(const Camera& camera, double azimuth, double elevation) {
-  const Eigen::Vector3d arm = camera.position - camera.pivot;
+  const Eigen::Matrix3d turn = toAxisZ(camera);
+  const Camera upright = turned(camera, turn);
+  const Eigen::Vector3d arm = upright.position - upright.pivot;
   const double distance = arm.norm();
   // Read from the right-hand direction, which has an azimuth also straight above the pivot.
-  const Eigen::Vector3d right = CameraView{camera}.right();
+  const Eigen::Vector3d right = CameraView{upright}.right();
   const double raised = std::asin(std::clamp(arm.z() / distance, -1.0, 1.0)) + elevation;
-  return atAngles(camera.pivot, distance, std::atan2(-right.x(), right.y()) - azimuth,
-                  std::clamp(raised, -kRightAngle, kRightAngle));
+  Camera result = turned(atAngles(camera.pivot, distance, std::atan2(-right.x(), right.y()) - azimuth,
+                                  std::clamp(raised, -kRightAngle, kRightAngle)),
+                         turn.transpose());
+  result.axis = camera.axis;  // to the last bit, however often it is turned
+  return result;
 }
 
 Camera moved(const Camera& camera, const Eigen::Vector3d& by) {
@@ -100,10 +117,8 @@ Camera zoomed(const Camera& camera, const Point& anchor, double factor) {
 }
 
 Camera lookingFrom(const Camera& camera, AxisView view) {
-  const double distance = (camera.position - camera.pivot).norm();
-  Camera result = camera;
-  result.up = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d side = -Eigen::Vector3d::UnitY();
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   switch (view) {
     case AxisView::Front:
       break;
@@ -118,15 +133,16 @@ Camera lookingFrom(const Camera& camera, AxisView view) {
       break;
     case AxisView::Top:
       side = Eigen::Vector3d::UnitZ();
-      result.up = Eigen::Vector3d::UnitY();
+      up = Eigen::Vector3d::UnitY();
       break;
     case AxisView::Bottom:
       side = -Eigen::Vector3d::UnitZ();
-      result.up = -Eigen::Vector3d::UnitY();
+      up = -Eigen::Vector3d::UnitY();
       break;
   }
-  result.position = result.pivot + distance * side;
-  return result;
+  const Eigen::Matrix3d back = toAxisZ(camera).transpose();
+  const double distance = (camera.position - camera.pivot).norm();
+  return {camera.pivot + distance * (back * side), camera.pivot, back * up, camera.axis};
 }
 
 }  // namespace graftsman

@@ -43,9 +43,9 @@ struct CameraView {
   [[nodiscard]] Camera framing(const Eigen::AlignedBox3d& box) const;
 };
 
-/// The camera turned about its pivot like a turntable: z stays up, and it stops above and below the pivot
-/// instead of turning over. Radians: positive azimuth turns the scene to the right, positive elevation raises
-/// the camera.
+/// The camera turned about its pivot like a turntable: the axis stays up, and it stops above and below the
+/// pivot instead of turning over. Radians: positive azimuth turns the scene to the right, positive elevation
+/// raises the camera.
 [[nodiscard]] Camera orbited(const Camera& camera, double azimuth, double elevation);
 [[nodiscard]] Camera moved(const Camera& camera, const Eigen::Vector3d& by);
 /// Scaled about `anchor`, which therefore stays where it is seen; factor < 1 goes nearer.

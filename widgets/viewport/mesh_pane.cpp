@@ -88,7 +88,7 @@ void MeshPane::showMesh(std::shared_ptr<const ShownMesh> shown) {
   content_->actor->SetVisibility(content_->shown != nullptr);
   if (content_->shown) {
     content_->mapper->SetInputData(content_->shown->drawn());
-    frameScene();
+    keepFramed();
   }
   showMarks();
   if (content_->ready()) {

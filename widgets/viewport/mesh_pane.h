@@ -47,9 +47,9 @@ class MeshPane : public Viewport {
   explicit MeshPane(Side side, QWidget* parent = nullptr);
   ~MeshPane() override;
 
-  /// Shows `mesh` (null: none) and frames it if it is another one than before; the marks of the one before
-  /// go. It is made ready on a worker thread: until meshShown() the pane shows what it had, dimmed and
-  /// without marks, and nothing can be picked.
+  /// Shows `mesh` (null: none); a camera that was aimed frames it. The marks of the one before go. It is made
+  /// ready on a worker thread: until meshShown() the pane shows what it had, dimmed and without marks, and
+  /// nothing can be picked.
   void setMesh(std::shared_ptr<const TriangleMesh> mesh);
   /// What is marked on the mesh last set. Marks of vertices and faces that it lacks are left out.
   void setMarks(LoopMarks marks);

@@ -174,7 +174,7 @@ void ResultPane::present(std::shared_ptr<Shown> shown) {
   content.shown = std::move(shown);
   showPart();
   if (first) {
-    frameScene();
+    keepFramed();
   }
   Q_EMIT resultsShown();
 }

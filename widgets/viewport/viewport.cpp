@@ -137,9 +137,7 @@ void Viewport::releaseContext() {
 }
 
 void Viewport::resizeGL(int /*width*/, int /*height*/) {
-  if (scene_->framed) {
-    frameScene();
-  }
+  keepFramed();
 }
 
 void Viewport::paintGL() {
@@ -269,6 +267,18 @@ void Viewport::frameScene() {
   }
   setCamera(view().framing({Point(b[0], b[2], b[4]), Point(b[1], b[3], b[5])}));
   scene_->framed = true;
+}
+
+void Viewport::keepFramed() {
+  if (scene_->framed) {
+    frameScene();
+  }
+}
+
+void Viewport::aim(const Camera& camera) {
+  setCamera(camera);
+  scene_->framed = true;
+  frameScene();
 }
 
 void Viewport::frameAll() {

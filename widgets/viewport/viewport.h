@@ -25,14 +25,17 @@ enum class Navigation {
   Maya,     // Alt+left: orbit; Alt+middle: pan; Alt+right: zoom (middle alone: orbit)
 };
 
-/// A view along an axis; z is up. Front looks along +y.
+/// A view along an axis of the scene. Where z is the camera's axis, front looks along +y; where y is, along
+/// −z.
 enum class AxisView { Front, Back, Left, Right, Top, Bottom };
 
 /// Where a pane looks from. Model length; not part of the document and never undone.
 struct Camera {
   Point position = {0, -1, 0};
-  Point pivot = Point::Zero();  // what the camera looks at and orbits about
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  Point pivot = Point::Zero();                    // what the camera looks at and orbits about
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  // on the screen, as far as it is not along the view
+  Eigen::Vector3d axis =
+      Eigen::Vector3d::UnitZ();  // of length 1; what orbiting turns about, and keeps upright
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
@@ -49,8 +52,11 @@ class Viewport : public QOpenGLWidget {
   ~Viewport() override;
 
   [[nodiscard]] Camera camera() const;
-  /// Sets it without cameraChanged().
+  /// Sets it without cameraChanged(). It stays, also where the scene is filled later.
   void setCamera(const Camera& camera);
+  /// Turns the camera to look like that one and frames all, now and whenever the scene is filled anew, until
+  /// somebody moves or sets the camera. Without cameraChanged().
+  void aim(const Camera& camera);
   void setNavigation(Navigation navigation);
 
   /// Moves the camera along its direction until all of the scene is in view; nothing without a scene. F.
@@ -87,6 +93,8 @@ class Viewport : public QOpenGLWidget {
   [[nodiscard]] CameraView view() const;
   /// frameAll() by the program: without cameraChanged().
   void frameScene();
+  /// To be called after the scene was filled anew: frames it if the camera is still where framing left it.
+  void keepFramed();
   /// Dims the scene while it shows what is about to be replaced.
   void setPreparing(bool preparing);
 

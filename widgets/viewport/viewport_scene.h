@@ -40,7 +40,7 @@ struct Viewport::Scene {
 
   Camera camera;
   Camera shown;         // differs from `camera` while the view glides to it
-  bool framed = false;  // the camera is where frameAll() left it
+  bool framed = true;  // the camera is where frameAll() left it, or nobody has moved it yet
   QVariantAnimation glide;
   Camera glideStart;
 
