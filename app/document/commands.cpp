@@ -114,7 +114,7 @@ MirrorCorrespondence::MirrorCorrespondence(DocumentModel& model, Document after)
 AllowLargeTile::AllowLargeTile(DocumentModel& model, Document after)
     : EditCommand(model, std::move(after), tr("Take the large side of the loop")) {}
 
-SetPathMode::SetPathMode(DocumentModel& model, Document after)
+SetPathMode::SetPathMode(DocumentModel& model, const Document& after)
     : EditCommand(model, after,
                   after.inputs.paths == PathMode::Paper ? tr("Take the paper's paths")
                                                         : tr("Straighten the paths")) {}
@@ -122,7 +122,7 @@ SetPathMode::SetPathMode(DocumentModel& model, Document after)
 SetEmbedding::SetEmbedding(DocumentModel& model, Document after)
     : EditCommand(model, std::move(after), tr("Change the embedding")) {}
 
-LoadMesh::LoadMesh(DocumentModel& model, Document after, Side side)
+LoadMesh::LoadMesh(DocumentModel& model, const Document& after, Side side)
     : EditCommand(model, after,
                   tr("Load %1 as the %2").arg(QString::fromStdString(after.of(side)->name), label(side))) {}
 

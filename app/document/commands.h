@@ -87,7 +87,7 @@ class AllowLargeTile : public EditCommand {
 
 class SetPathMode : public EditCommand {
  public:
-  SetPathMode(DocumentModel& model, Document after);
+  SetPathMode(DocumentModel& model, const Document& after);
 };
 
 class SetEmbedding : public EditCommand {
@@ -99,7 +99,7 @@ class SetEmbedding : public EditCommand {
 
 class LoadMesh : public EditCommand {
  public:
-  LoadMesh(DocumentModel& model, Document after, Side side);
+  LoadMesh(DocumentModel& model, const Document& after, Side side);
 };
 
 // Fusion curve.

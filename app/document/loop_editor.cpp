@@ -56,6 +56,7 @@ void LoopEditor::select(const QSet<int>& pairs) {
 }
 
 void LoopEditor::pick(Side side, const SurfacePoint& at) {
+  beforePick_ = {half_, model_.history()->index()};
   const Document& document = model_.committed();
   if (document.closed) {
     Q_EMIT refused(
@@ -95,6 +96,7 @@ void LoopEditor::clickCV(int number) {
 }
 
 void LoopEditor::insertOnPath(Side side, int number, const SurfacePoint& at, const Outcome* seen) {
+  beforePick_ = {half_, model_.history()->index()};
   const auto* own = seen ? pathsOf(*seen, side) : nullptr;
   const auto* opposite = seen ? pathsOf(*seen, other(side)) : nullptr;
   const auto index = static_cast<std::size_t>(number);
@@ -128,6 +130,17 @@ void LoopEditor::insertOnPath(Side side, int number, const SurfacePoint& at, con
   }
   model_.push(std::make_unique<InsertCVP>(model_, std::move(*after), number + 1));
   select({number + 1});
+}
+
+void LoopEditor::takeBackPick() {
+  const std::optional<BeforePick> before = std::exchange(beforePick_, {});
+  if (!before) {
+    return;
+  }
+  if (model_.history()->index() == before->historyIndex + 1) {
+    model_.history()->undo();
+  }
+  setHalfPair(before->half);
 }
 
 void LoopEditor::startDrag(Side side, int number) {

@@ -40,6 +40,10 @@ class LoopEditor : public QObject {
   /// `paths` are those that are seen.
   void insertOnPath(Side side, int number, const SurfacePoint& at, const Outcome* seen);
 
+  /// The last pick() or insertOnPath() was meant otherwise (as half of a double click): as if it had not
+  /// been.
+  void takeBackPick();
+
   void startDrag(Side side, int number);
   void dragTo(Side side, int number, const SurfacePoint& to);
   void finishDrag();
@@ -70,12 +74,19 @@ class LoopEditor : public QObject {
     std::optional<Document> document;  // with the CV at the last legal place
   };
 
+  // What a pick found, to go back to.
+  struct BeforePick {
+    std::optional<HalfPair> half;
+    int historyIndex = 0;
+  };
+
   void setHalfPair(std::optional<HalfPair> half);
   void forgetWhatIsGone();
 
   DocumentModel& model_;
   std::optional<HalfPair> half_;
   std::optional<Drag> drag_;
+  std::optional<BeforePick> beforePick_;
   QSet<int> selection_;
 };
 

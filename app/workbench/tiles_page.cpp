@@ -60,6 +60,7 @@ void TilesPage::connectPane(Side side) {
   connect(pane, &MeshPane::pathClicked, this, [=, this](int number, const SurfacePoint& at) {
     editor_.insertOnPath(side, number, at, outcome_.get());
   });
+  connect(pane, &MeshPane::pickTakenBack, &editor_, &LoopEditor::takeBackPick);
   connect(pane, &MeshPane::cvDragStarted, this, [=, this](int number) { editor_.startDrag(side, number); });
   connect(pane, &MeshPane::cvDragged, this,
           [=, this](int number, const SurfacePoint& to) { editor_.dragTo(side, number, to); });

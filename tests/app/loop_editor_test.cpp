@@ -57,6 +57,21 @@ class LoopEditorTest : public QObject {
     QVERIFY(!e.editor.backOut());
   }
 
+  void aPickThatWasADoubleClickIsTakenBack() {
+    Editing e(open("fig4c_cone_sphere"));
+    const Document before = e.model.document();
+    e.editor.pick(Side::Part, at(1));
+    e.editor.takeBackPick();
+    QVERIFY(!e.editor.halfPair());
+    e.editor.pick(Side::Part, at(1));
+    e.editor.pick(Side::Base, at(2));
+    e.editor.takeBackPick();
+    QVERIFY(e.model.document() == before);
+    QVERIFY(e.editor.halfPair() && e.editor.halfPair()->at == at(1));
+    e.editor.takeBackPick();
+    QVERIFY(e.editor.halfPair());
+  }
+
   void aClickOnTheFirstCVClosesTheLoop() {
     Editing e(open("fig4c_cone_sphere"));
     e.editor.clickCV(0);

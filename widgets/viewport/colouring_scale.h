@@ -33,8 +33,9 @@ struct Rgba {
 
 /// (1 − x) a + x b; exactly a at 0 and b at 1. x in [0, 1].
 [[nodiscard]] inline Rgba mixed(const Rgba& a, const Rgba& b, float x) {
-  const auto mix = [x](std::uint8_t from, std::uint8_t to) {
-    return static_cast<std::uint8_t>((1 - x) * static_cast<float>(from) + x * static_cast<float>(to) + 0.5F);
+  const int share = static_cast<int>(x * 256);
+  const auto mix = [share](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>((from * (256 - share) + to * share + 128) / 256);
   };
   return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
 }

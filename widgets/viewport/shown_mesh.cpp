@@ -13,11 +13,14 @@
 #include <algorithm>
 #include <cstring>
 
+#include <Eigen/Geometry>
+
 #include "widgets/viewport/shading.h"
 
 namespace graftsman {
 namespace {
 
+constexpr double kBeside = 1e-6;            // of a ray's length: far below a pixel
 constexpr double kVisibleTolerance = 1e-6;  // × diagonal: a point hides not itself
 constexpr double kWeightSnap = 1e-6;        // a pick this near to an edge or corner lies on it
 
@@ -118,7 +121,19 @@ std::optional<SurfaceHit> ShownMesh::firstHit(const Ray& ray) const {
   drawn_->GetBounds(b);
   const Point middle((b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2);
   const double reach = (middle - ray.origin).norm() + mesh_->diagonal();
-  return firstHit(ray.origin, ray.origin + reach * ray.direction);
+  // The locator lets a ray slip through an edge or a vertex that it meets exactly, to the far side: of the
+  // ray and two beside it, the nearest hit counts.
+  const Eigen::Vector3d beside = kBeside * ray.direction.unitOrthogonal();
+  std::optional<SurfaceHit> nearest;
+  for (const Eigen::Vector3d& off :
+       {Eigen::Vector3d(Eigen::Vector3d::Zero()), beside, Eigen::Vector3d(-beside)}) {
+    const auto hit = firstHit(ray.origin, ray.origin + reach * (ray.direction + off));
+    const auto depth = [&](const SurfaceHit& h) { return (h.point - ray.origin).dot(ray.direction); };
+    if (hit && (!nearest || depth(*hit) < depth(*nearest) - kVisibleTolerance * mesh_->diagonal())) {
+      nearest = hit;
+    }
+  }
+  return nearest;
 }
 
 bool ShownMesh::isVisible(const Point& point, const CameraView& view) const {

@@ -1,0 +1,352 @@
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QtTest>
+#include <random>
+
+#include "core/fusion/path_position.h"
+#include "tests/support/panes.h"
+#include "tests/support/shapes.h"
+
+using namespace graftsman;
+
+class MeshPaneTest : public QObject {
+  Q_OBJECT
+
+ private:
+  // A pane of 480 × 400 that shows the mesh from a little above the front.
+  struct Shown {
+    MeshPane pane{Side::Base};
+    std::shared_ptr<const TriangleMesh> mesh;
+    std::vector<SurfacePoint> picked;
+
+    explicit Shown(const std::string& model) : mesh(samples::model(model)) {
+      pane.resize(480, 400);
+      pane.show();
+      pane.activateWindow();
+      pane.aim({{1, -3, 1}, {0, 0, 0}, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ()});
+      connect(&pane, &MeshPane::surfacePicked, &pane,
+              [this](const SurfacePoint& at) { picked.push_back(at); });
+      if (!QTest::qWaitForWindowActive(&pane) || !panes::showMesh(pane, mesh)) {
+        qFatal("the pane is not shown");
+      }
+    }
+    [[nodiscard]] QPoint place(Index vertex) const {
+      return pane.screenPosition(mesh->point(vertex)).toPoint();
+    }
+    /// A vertex that a click at its own place takes, with room round it.
+    [[nodiscard]] Index pickable(std::mt19937& random) const {
+      while (true) {
+        const auto vertex = static_cast<Index>(random() % static_cast<unsigned>(mesh->vertexCount()));
+        const QPoint at = place(vertex);
+        if (pane.rect().adjusted(60, 60, -60, -60).contains(at) &&
+            pane.pickAt(at, false) == SurfacePoint::atVertex(vertex)) {
+          return vertex;
+        }
+      }
+    }
+  };
+
+ private Q_SLOTS:
+  void verticesInSightArePickedWhereTheyAreSeen() {
+    Shown shown("sphere.off");
+    int inSight = 0;
+    int exact = 0;
+    const Camera camera = shown.pane.camera();
+    for (Index v = 0; v < shown.mesh->vertexCount(); ++v) {
+      // On a sphere what faces the camera is in sight.
+      const Point& point = shown.mesh->point(v);
+      const Point centre = camera.pivot;
+      if ((point - centre).normalized().dot((camera.position - point).normalized()) > 0.3) {
+        ++inSight;
+        const QPointF place = shown.pane.screenPosition(point);
+        const auto picked = shown.pane.pickAt(place, false);
+        QVERIFY(picked);
+        exact += *picked == SurfacePoint::atVertex(v) ? 1 : 0;
+        // A pixel's centre can lie in a thin face beside the vertex's own: then one of that face's is taken.
+        const QPointF off = shown.pane.screenPosition(shown.mesh->point(picked->vertex)) - place;
+        QVERIFY2(std::hypot(off.x(), off.y()) < 4,
+                 qPrintable(QString("vertex %1 took %4: %2, %3").arg(v).arg(off.x()).arg(off.y()).arg(picked->vertex)));
+      }
+    }
+    QVERIFY(inSight > 200);
+    QVERIFY(exact > inSight * 98 / 100);
+  }
+
+  void aFreePickIsThePointUnderThePointer() {
+    Shown shown("head.obj");
+    int hits = 0;
+    for (int x = 20; x < 480; x += 17) {
+      for (int y = 20; y < 400; y += 17) {
+        const auto free = shown.pane.pickAt(QPointF(x, y), true);
+        if (!free) {
+          continue;
+        }
+        ++hits;
+        QVERIFY(free->vertex < 0);
+        QVERIFY(free->bary.minCoeff() >= 0 && std::abs(free->bary.sum() - 1) < 1e-12);
+        const QPointF back = shown.pane.screenPosition(positionOf(*shown.mesh, *free));
+        QVERIFY(std::hypot(back.x() - x, back.y() - y) < 0.01);
+        const auto vertex = shown.pane.pickAt(QPointF(x, y), false);
+        const Face& face = shown.mesh->face(free->face);
+        QVERIFY(std::find(face.begin(), face.end(), vertex->vertex) != face.end());
+      }
+    }
+    QVERIFY(hits > 50);
+    QVERIFY(!shown.pane.pickAt(QPointF(1, 1), false));
+  }
+
+  void aClickTakesAVertexAndWithCtrlThePoint() {
+    Shown shown("spot.obj");
+    std::mt19937 random(1);
+    const Index vertex = shown.pickable(random);
+    QTest::mouseClick(&shown.pane, Qt::LeftButton, {}, shown.place(vertex));
+    QCOMPARE(shown.picked.size(), std::size_t{1});
+    QCOMPARE(shown.picked[0], SurfacePoint::atVertex(vertex));
+    const Index other = shown.pickable(random);
+    QTest::mouseClick(&shown.pane, Qt::LeftButton, Qt::ControlModifier, shown.place(other));
+    QCOMPARE(shown.picked.size(), std::size_t{2});
+    QVERIFY(shown.picked[1].vertex < 0 && shown.picked[1].face >= 0);
+    shown.pane.setPicking(false);
+    QTest::mouseClick(&shown.pane, Qt::LeftButton, {}, shown.place(vertex));
+    QCOMPARE(shown.picked.size(), std::size_t{2});
+  }
+
+  void theVertexThatAClickWouldTakeIsTold() {
+    Shown shown("spot.obj");
+    std::mt19937 random(2);
+    const Index vertex = shown.pickable(random);
+    QSignalSpy hovered(&shown.pane, &MeshPane::vertexHovered);
+    panes::moveTo(shown.pane, shown.place(vertex));
+    QTRY_VERIFY(!hovered.isEmpty());
+    QCOMPARE(hovered.last().first().value<Index>(), vertex);
+    panes::moveTo(shown.pane, QPoint(2, 2));
+    QTRY_COMPARE(hovered.last().first().value<Index>(), Index{-1});
+  }
+
+  void aCVIsClickedAndDraggedAndEscCancels() {
+    Shown shown("spot.obj");
+    std::mt19937 random(3);
+    const Index vertex = shown.pickable(random);
+    LoopMarks marks;
+    marks.cvs.push_back({SurfacePoint::atVertex(vertex), 4});
+    shown.pane.setMarks(marks);
+    QSignalSpy clicked(&shown.pane, &MeshPane::cvClicked);
+    QSignalSpy started(&shown.pane, &MeshPane::cvDragStarted);
+    QSignalSpy dragged(&shown.pane, &MeshPane::cvDragged);
+    QSignalSpy finished(&shown.pane, &MeshPane::cvDragFinished);
+    QSignalSpy cancelled(&shown.pane, &MeshPane::cvDragCancelled);
+    const QPoint at = shown.place(vertex);
+    QTest::mouseClick(&shown.pane, Qt::LeftButton, {}, at);
+    QCOMPARE(clicked.size(), 1);
+    QCOMPARE(clicked.first().first().toInt(), 4);
+    QVERIFY(shown.picked.empty());
+    // Within the hit area of 16 px, too.
+    QTest::mouseClick(&shown.pane, Qt::LeftButton, {}, at + QPoint(6, 0));
+    QCOMPARE(clicked.size(), 2);
+
+    panes::drag(shown.pane, at, at + QPoint(40, 20), Qt::LeftButton);
+    QCOMPARE(started.size(), 1);
+    QVERIFY(!dragged.isEmpty());
+    QCOMPARE(finished.size(), 1);
+    QVERIFY(shown.picked.empty());
+
+    QTest::mousePress(&shown.pane, Qt::LeftButton, {}, at);
+    panes::moveHeld(shown.pane, at + QPoint(20, 10), Qt::LeftButton);
+    QCOMPARE(started.size(), 2);
+    QTest::keyClick(&shown.pane, Qt::Key_Escape);
+    QCOMPARE(cancelled.size(), 1);
+    QTest::mouseRelease(&shown.pane, Qt::LeftButton, {}, at + QPoint(20, 10));
+    QCOMPARE(finished.size(), 1);
+  }
+
+  void aClickOnAPathInsertsThere() {
+    Shown shown("head.obj");
+    const FusionResults results = update(samples::load("fig8b_cone_nose"), {}, {});
+    // The sample's own mesh is another object of the same file.
+    QVERIFY(panes::showMesh(shown.pane, results.inputs.base));
+    shown.pane.aim({{0.4, 0.2, 3}, {0, 0, 0}, Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitY()});
+    shown.pane.setMarks(panes::marksOf(results, Side::Base));
+    QSignalSpy clicked(&shown.pane, &MeshPane::pathClicked);
+    int hit = 0;
+    for (std::size_t i = 0; i < results.base.paths->paths.size(); ++i) {
+      const Path& path = *results.base.paths->paths[i];
+      const EdgePoint& middle = path.points[path.points.size() / 2];
+      const Point at = position(*results.base.anchored->mesh, middle);
+      shown.pane.setCamera({at + Point(0, 0, 0.3 * results.inputs.base->diagonal()), at,
+                            Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitY()});
+      const int before = clicked.size();
+      QTest::mouseClick(&shown.pane, Qt::LeftButton, {}, shown.pane.screenPosition(at).toPoint());
+      if (clicked.size() > before) {
+        QCOMPARE(clicked.last().first().toInt(), static_cast<int>(i));
+        ++hit;
+      }
+    }
+    QVERIFY2(hit >= 5, qPrintable(QString::number(hit)));
+  }
+
+  void theRightButtonOpensTheMenuOnlyOnAClick() {
+    Shown shown("spot.obj");
+    QSignalSpy menu(&shown.pane, &Viewport::contextMenuWanted);
+    const Camera camera = shown.pane.camera();
+    panes::drag(shown.pane, {100, 100}, {180, 140}, Qt::RightButton);
+    QCOMPARE(menu.size(), 0);
+    QVERIFY(shown.pane.camera() == camera);
+    QTest::mouseClick(&shown.pane, Qt::RightButton, {}, {100, 100});
+    QCOMPARE(menu.size(), 1);
+  }
+
+  void everyNavigationOrbitsPansAndZooms_data() {
+    QTest::addColumn<int>("navigation");
+    QTest::addColumn<Qt::MouseButton>("orbitButton");
+    QTest::addColumn<int>("orbitKeys");
+    QTest::addColumn<Qt::MouseButton>("panButton");
+    QTest::addColumn<int>("panKeys");
+    QTest::addColumn<Qt::MouseButton>("zoomButton");
+    QTest::addColumn<int>("zoomKeys");
+    const int none = Qt::NoModifier;
+    const int shift = Qt::ShiftModifier;
+    const int ctrl = Qt::ControlModifier;
+    const int alt = Qt::AltModifier;
+    QTest::newRow("Blender") << int(Navigation::Blender) << Qt::MiddleButton << none << Qt::MiddleButton
+                             << shift << Qt::MiddleButton << ctrl;
+    QTest::newRow("CAD") << int(Navigation::Cad) << Qt::MiddleButton << shift << Qt::MiddleButton << none
+                         << Qt::MiddleButton << ctrl;
+    QTest::newRow("Maya") << int(Navigation::Maya) << Qt::LeftButton << alt << Qt::MiddleButton << alt
+                          << Qt::RightButton << alt;
+  }
+
+  void everyNavigationOrbitsPansAndZooms() {
+    QFETCH(int, navigation);
+    QFETCH(Qt::MouseButton, orbitButton);
+    QFETCH(int, orbitKeys);
+    QFETCH(Qt::MouseButton, panButton);
+    QFETCH(int, panKeys);
+    QFETCH(Qt::MouseButton, zoomButton);
+    QFETCH(int, zoomKeys);
+    Shown shown("spot.obj");
+    shown.pane.setNavigation(static_cast<Navigation>(navigation));
+    const auto arm = [](const Camera& camera) -> Eigen::Vector3d { return camera.position - camera.pivot; };
+    const Camera start = shown.pane.camera();
+    panes::drag(shown.pane, {200, 200}, {260, 230}, orbitButton, Qt::KeyboardModifiers(orbitKeys));
+    const Camera orbited = shown.pane.camera();
+    QVERIFY((orbited.pivot - start.pivot).norm() < 1e-9);
+    QVERIFY(std::abs(arm(orbited).norm() - arm(start).norm()) < 1e-9);
+    QVERIFY((arm(orbited) - arm(start)).norm() > 0.1 * arm(start).norm());
+    panes::drag(shown.pane, {200, 200}, {260, 230}, panButton, Qt::KeyboardModifiers(panKeys));
+    const Camera panned = shown.pane.camera();
+    QVERIFY((arm(panned) - arm(orbited)).norm() < 1e-9);
+    QVERIFY((panned.pivot - orbited.pivot).norm() > 0.01 * arm(start).norm());
+    panes::drag(shown.pane, {200, 200}, {200, 260}, zoomButton, Qt::KeyboardModifiers(zoomKeys));
+    QVERIFY(std::abs(arm(shown.pane.camera()).norm() - arm(panned).norm()) > 0.05 * arm(panned).norm());
+    QVERIFY(shown.picked.empty());
+  }
+
+  void theWheelKeepsThePointUnderThePointer() {
+    Shown shown("spot.obj");
+    std::mt19937 random(5);
+    const Index vertex = shown.pickable(random);
+    const QPointF at = shown.pane.screenPosition(shown.mesh->point(vertex));
+    const double before = (shown.pane.camera().position - shown.mesh->point(vertex)).norm();
+    panes::turnWheel(shown.pane, at, 360);
+    const QPointF after = shown.pane.screenPosition(shown.mesh->point(vertex));
+    QVERIFY(std::hypot(after.x() - at.x(), after.y() - at.y()) < 2);
+    QVERIFY((shown.pane.camera().position - shown.mesh->point(vertex)).norm() < 0.9 * before);
+  }
+
+  void theArrowsWalkAndEnterPicks() {
+    Shown shown("spot.obj");
+    shown.pane.setFocus();
+    QTest::keyClick(&shown.pane, Qt::Key_Return);
+    QVERIFY(shown.picked.empty());  // left to the window
+    QSignalSpy hovered(&shown.pane, &MeshPane::vertexHovered);
+    QTest::keyClick(&shown.pane, Qt::Key_Right);
+    QVERIFY(!hovered.isEmpty());
+    const Index first = hovered.last().first().value<Index>();
+    QVERIFY(first >= 0);
+    QTest::keyClick(&shown.pane, Qt::Key_Up);
+    const Index second = hovered.last().first().value<Index>();
+    QVERIFY(second != first);
+    QVERIFY(shown.place(second).y() < shown.place(first).y());
+    QTest::keyClick(&shown.pane, Qt::Key_Return);
+    QCOMPARE(shown.picked.size(), std::size_t{1});
+    QCOMPARE(shown.picked[0], SurfacePoint::atVertex(second));
+  }
+
+  void aDroppedFileIsTold() {
+    Shown shown("spot.obj");
+    QSignalSpy dropped(&shown.pane, &Viewport::fileDropped);
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile("/tmp/a mesh.obj")});
+    QDragEnterEvent enter({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&shown.pane, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&shown.pane, &drop);
+    QCOMPARE(dropped.size(), 1);
+    QCOMPARE(dropped.first().first().toString(), QString("/tmp/a mesh.obj"));
+  }
+
+  void twoPanesShowOneMesh() {
+    Shown a("spot.obj");
+    MeshPane b(Side::Part);
+    b.resize(480, 400);
+    b.show();
+    b.setCamera(a.pane.camera());
+    QVERIFY(panes::showMesh(b, a.mesh));
+    QVERIFY(b.pickAt(a.place(0), false) == a.pane.pickAt(a.place(0), false));
+    const QImage first = a.pane.picture();
+    const QImage second = b.picture();
+    QVERIFY(first.pixel(240, 200) != first.pixel(2, 200));
+    QVERIFY(first == second);
+  }
+
+  void aCameraThatWasSetStaysWhenTheMeshComes() {
+    MeshPane pane(Side::Base);
+    pane.resize(480, 400);
+    pane.show();
+    const Camera camera{{9, 8, 7}, {1, 2, 3}};
+    pane.setCamera(camera);
+    QVERIFY(panes::showMesh(pane, samples::model("spot.obj")));
+    QVERIFY(pane.camera() == camera);
+    pane.aim(camera);
+    QVERIFY(!(pane.camera() == camera));
+  }
+
+  void aMillionFacesComeWithoutAStandstill() {
+    MeshPane pane(Side::Base);
+    pane.resize(480, 400);
+    pane.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&pane));
+    const auto mesh = shapes::torus(720, 720);
+    QVERIFY(mesh->faceCount() > 1'000'000);
+    QElapsedTimer clock;
+    qint64 longest = 0;
+    qint64 last = 0;
+    QTimer ticks;
+    connect(&ticks, &QTimer::timeout, this, [&] {
+      longest = std::max(longest, clock.elapsed() - last);
+      last = clock.elapsed();
+    });
+    ticks.start(0);
+    clock.start();
+    pane.setMesh(mesh);
+    const qint64 setting = clock.elapsed();
+    QSignalSpy shown(&pane, &MeshPane::meshShown);
+    QVERIFY(shown.wait(60'000));
+    qInfo("setMesh() took %lld ms; the longest standstill until it was shown, %lld ms", setting, longest);
+    QVERIFY(pane.pickAt(pane.rect().center(), false) || pane.pickAt(QPointF(240, 300), false));
+  }
+
+  void theBackgroundFollowsThePalette() {
+    Shown shown("spot.obj");
+    const QRgb light = shown.pane.picture().pixel(2, 2);
+    shown.pane.setPalette(panes::darkPalette());
+    QTRY_VERIFY(qGray(shown.pane.picture().pixel(2, 2)) < qGray(light) - 80);
+  }
+};
+
+QTEST_MAIN(MeshPaneTest)
+#include "mesh_pane_test.moc"
