@@ -31,9 +31,10 @@ struct LoadedScenario {
 /// preset's name; "linear" without it), monotone (true without it), deform_exponent; optional settings: paths
 /// ("straightened" | "paper"), allow_large_tile, adjustment {rigid, scale, line_field, exact_fit, epsilon,
 /// max_iterations}, embedding ("automatic" | "cotangent" | "mean-value" | "low-stretch"); note and unknown
-/// keys are ignored, but none inside adjustment, and none given twice. A face number counts the triangles as read, which are the file's faces where all of them
-/// are triangles and none is dropped. `path` gives the folder, and stands in messages. Error:
-/// ScenarioMalformed with the key (and for broken JSON the line), or the curve's own errors.
+/// keys are ignored, but none inside adjustment, and none given twice. A face number counts the triangles as
+/// read, which are the file's faces where all of them are triangles and none is dropped. `path` gives the
+/// folder, and stands in messages. Error: ScenarioMalformed with the key (and for broken JSON the line), or
+/// the curve's own errors.
 [[nodiscard]] Result<Scenario> parseScenario(std::string_view text, const std::filesystem::path& path);
 
 /// The JSON text of a scenario that would be saved at `path`: parseScenario() of it with the same path gives
