@@ -47,8 +47,7 @@ inline void moveHeld(QWidget& pane, const QPointF& position, Qt::MouseButton but
 }
 
 /// Moves the pointer with no button down.
-inline void moveTo(QWidget& pane, const QPointF& position,
-                   Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+inline void moveTo(QWidget& pane, const QPointF& position, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
   moveHeld(pane, position, Qt::NoButton, modifiers);
 }
 

@@ -24,7 +24,7 @@ constexpr int kDigits = 3;
 constexpr double kPercent = 100;
 constexpr int kIconSize = 14;
 
-enum Column { kSwitch, kDistance, kReached };
+enum Column { SwitchColumn, DistanceColumn, ReachedColumn };
 
 struct StepTexts {
   const char* name;
@@ -93,11 +93,11 @@ QLayout* AdjustmentPanel::stepLines() {
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(sizes::kGrid);
   grid->setVerticalSpacing(sizes::kGrid / 2);
-  grid->setColumnStretch(kDistance, 1);
-  grid->addWidget(new QLabel(tr("as given")), 0, kSwitch);
+  grid->setColumnStretch(DistanceColumn, 1);
+  grid->addWidget(new QLabel(tr("as given")), 0, SwitchColumn);
   before_ = numberLabel("distanceBefore");
   before_->setToolTip(tr("Mean distance of the pairs before the adjustment, in the base's unit"));
-  grid->addWidget(before_, 0, kDistance);
+  grid->addWidget(before_, 0, DistanceColumn);
   constexpr std::array<std::pair<bool AdjustmentSettings::*, AdjustmentStep>, 4> kSteps = {
       {{&AdjustmentSettings::rigid, AdjustmentStep::Rigid},
        {&AdjustmentSettings::scale, AdjustmentStep::Scale},
@@ -115,16 +115,16 @@ QLayout* AdjustmentPanel::stepLines() {
     line.reached = new QLabel;
     line.reached->setObjectName(QString("%1Reached").arg(kTexts[i].name));
     const int row = static_cast<int>(i) + 1;
-    grid->addWidget(line.box, row, kSwitch);
-    grid->addWidget(line.distance, row, kDistance);
-    grid->addWidget(line.reached, row, kReached);
+    grid->addWidget(line.box, row, SwitchColumn);
+    grid->addWidget(line.distance, row, DistanceColumn);
+    grid->addWidget(line.reached, row, ReachedColumn);
     connect(line.box, &QCheckBox::clicked, this, [this, setting = line.setting](bool on) {
       AdjustmentSettings settings = settings_;
       settings.*setting = on;
       edit(settings);
     });
   }
-  grid->setColumnMinimumWidth(kReached, kIconSize);
+  grid->setColumnMinimumWidth(ReachedColumn, kIconSize);
   return grid;
 }
 

@@ -11,7 +11,7 @@
 namespace graftsman {
 namespace {
 
-enum Column { kStage, kState, kTime, kColumns };
+enum Column { StageColumn, StateColumn, TimeColumn, ColumnCount };
 
 // In the order of Stage.
 constexpr std::array<const char*, kStageCount> kTexts = {
@@ -57,7 +57,7 @@ bool made(const FusionResults& results, Stage stage) {
 
 }  // namespace
 
-StagesPanel::StagesPanel(QWidget* parent) : QWidget(parent), table_(new QTableWidget(kStageCount, kColumns)) {
+StagesPanel::StagesPanel(QWidget* parent) : QWidget(parent), table_(new QTableWidget(kStageCount, ColumnCount)) {
   setObjectName("stagesPanel");
   setAccessibleName(tr("Stages"));
   table_->setObjectName("stagesTable");
@@ -65,18 +65,18 @@ StagesPanel::StagesPanel(QWidget* parent) : QWidget(parent), table_(new QTableWi
   table_->setHorizontalHeaderLabels({tr("Stage"), tr("State"), tr("Time")});
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + sizes::kGrid / 2);
-  table_->horizontalHeader()->setSectionResizeMode(kStage, QHeaderView::Stretch);
-  table_->horizontalHeader()->setSectionResizeMode(kState, QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(kTime, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(StageColumn, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(StateColumn, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(TimeColumn, QHeaderView::ResizeToContents);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setShowGrid(false);
   for (int row = 0; row < kStageCount; ++row) {
-    for (int column = 0; column < kColumns; ++column) {
+    for (int column = 0; column < ColumnCount; ++column) {
       table_->setItem(row, column, new QTableWidgetItem);
     }
-    table_->item(row, kStage)->setText(tr(kTexts[static_cast<std::size_t>(row)]));
-    table_->item(row, kTime)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    table_->item(row, StageColumn)->setText(tr(kTexts[static_cast<std::size_t>(row)]));
+    table_->item(row, TimeColumn)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(sizes::kGrid, sizes::kGrid, sizes::kGrid, sizes::kGrid);
@@ -122,7 +122,7 @@ void StagesPanel::showAll() {
 void StagesPanel::show(Stage stage) {
   const int row = static_cast<int>(stage);
   const Row& shown = rows_[static_cast<std::size_t>(row)];
-  QTableWidgetItem* state = table_->item(row, kState);
+  QTableWidgetItem* state = table_->item(row, StateColumn);
   const auto say = [&](const QString& text, const char* iconName) {
     state->setText(text);
     state->setIcon(icon(iconName));
@@ -147,7 +147,7 @@ void StagesPanel::show(Stage stage) {
     }
   }
   state->setToolTip(shown.problem);
-  table_->item(row, kTime)
+  table_->item(row, TimeColumn)
       ->setText(shown.milliseconds > 0 ? tr("%1 ms").arg(QLocale().toString(shown.milliseconds, 'f',
                                                                             shown.milliseconds < 10 ? 2 : 0))
                                        : QString());

@@ -53,7 +53,7 @@ float colourQuality(const MorphSheet& sheet, std::vector<Rgba>& colours) {
   for (std::size_t f = 0; f < sheet.faces.size(); ++f) {
     const float sine = std::min(smallestSine(sheet, sheet.faces[f]), 1.0F);
     smallest = std::min(smallest, sine);
-    colours[f] = table[static_cast<std::size_t>(sine * (kSteps - 1) + 0.5F)];
+    colours[f] = table[static_cast<std::size_t>(std::lround(sine * (kSteps - 1)))];
   }
   return smallest;
 }

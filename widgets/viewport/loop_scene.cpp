@@ -126,7 +126,7 @@ void LoopScene::setPaths(const std::vector<PathMark>& paths) {
   dash_ = 0;
 }
 
-void LoopScene::setTile(vtkSmartPointer<vtkPolyData> tile) {
+void LoopScene::setTile(const vtkSmartPointer<vtkPolyData>& tile) {
   tile_.actor->SetVisibility(tile != nullptr);
   if (tile) {
     tile_.mapper->SetInputData(tile);

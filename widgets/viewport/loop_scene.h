@@ -28,7 +28,7 @@ class LoopScene {
   /// Paths with a problem are dashed. Copies.
   void setPaths(const std::vector<PathMark>& paths);
   /// What drawnTriangles() made of a tile; null: none.
-  void setTile(vtkSmartPointer<vtkPolyData> tile);
+  void setTile(const vtkSmartPointer<vtkPolyData>& tile);
   void applyTheme(const Theme& theme, Side side);
   /// Before each frame.
   void prepare(const CameraView& view);

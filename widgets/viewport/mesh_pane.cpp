@@ -183,4 +183,4 @@ void MeshPane::prepareFrame(const CameraView& view) {
 
 }  // namespace graftsman
 
-#include "moc_mesh_pane.cpp"
+#include "moc_mesh_pane.cpp"  // NOLINT(bugprone-suspicious-include)

@@ -62,7 +62,7 @@ MorphSurface::MorphSurface(std::shared_ptr<const Join> join, std::shared_ptr<con
     writeNormal(sums[static_cast<std::size_t>(v)], normalsAt(v));
   }
   ringRest_.assign(sums.begin() + layout_.ringBegin(), sums.end());
-  rim_.resize(static_cast<std::size_t>(layout_.ringCount + layout_.seamSize));
+  rim_.resize(static_cast<std::size_t>(layout_.ringCount) + static_cast<std::size_t>(layout_.seamSize));
   faceAreas_.resize(combined_->faces.size());
   setCurve(curve);
 }

@@ -317,4 +317,4 @@ void ResultPane::tellHovered(double s) {
 
 }  // namespace graftsman
 
-#include "moc_result_pane.cpp"
+#include "moc_result_pane.cpp"  // NOLINT(bugprone-suspicious-include)

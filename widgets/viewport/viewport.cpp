@@ -356,4 +356,4 @@ void Viewport::applyTheme(const Theme& /*theme*/) {}
 
 }  // namespace graftsman
 
-#include "moc_viewport.cpp"
+#include "moc_viewport.cpp"  // NOLINT(bugprone-suspicious-include)
