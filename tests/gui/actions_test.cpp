@@ -80,8 +80,9 @@ class ActionsTest : public QObject {
     QVERIFY(bench.openSample("fig4c_cone_sphere"));
     QStringList nameless;
     for (const QWidget* widget : bench.window->findChildren<QWidget*>()) {
-      const bool internal = widget->isHidden() || widget->objectName().startsWith("qt_") || widget->inherits("QMenu") ||
-                            widget->inherits("QTabBar") || widget->inherits("QScrollBar") ||
+      const bool internal = widget->isHidden() || widget->objectName().startsWith("qt_") ||
+                            widget->inherits("QMenu") || widget->inherits("QTabBar") ||
+                            widget->inherits("QScrollBar") ||
                             QString(widget->metaObject()->className()).startsWith("QDockWidget") ||
                             QString(widget->metaObject()->className()).startsWith("QToolBar");
       if (internal || widget->focusPolicy() == Qt::NoFocus) {

@@ -67,8 +67,10 @@ class MeshPaneTest : public QObject {
         exact += *picked == SurfacePoint::atVertex(v) ? 1 : 0;
         // A pixel's centre can lie in a thin face beside the vertex's own: then one of that face's is taken.
         const QPointF off = shown.pane.screenPosition(shown.mesh->point(picked->vertex)) - place;
-        QVERIFY2(std::hypot(off.x(), off.y()) < 4,
-                 qPrintable(QString("vertex %1 took %4: %2, %3").arg(v).arg(off.x()).arg(off.y()).arg(picked->vertex)));
+        QVERIFY2(
+            std::hypot(off.x(), off.y()) < 4,
+            qPrintable(
+                QString("vertex %1 took %4: %2, %3").arg(v).arg(off.x()).arg(off.y()).arg(picked->vertex)));
       }
     }
     QVERIFY(inSight > 200);

@@ -252,4 +252,3 @@ QVariant PairsModel::headerData(int section, Qt::Orientation orientation, int ro
 }
 
 }  // namespace graftsman
-

@@ -57,7 +57,8 @@ bool made(const FusionResults& results, Stage stage) {
 
 }  // namespace
 
-StagesPanel::StagesPanel(QWidget* parent) : QWidget(parent), table_(new QTableWidget(kStageCount, ColumnCount)) {
+StagesPanel::StagesPanel(QWidget* parent)
+    : QWidget(parent), table_(new QTableWidget(kStageCount, ColumnCount)) {
   setObjectName("stagesPanel");
   setAccessibleName(tr("Stages"));
   table_->setObjectName("stagesTable");

@@ -31,7 +31,8 @@ Triangle rimTriangle(const MorphSurface& surface, Index face) {
     if (v >= layout.ringCount) {
       return blended(surface, v - layout.ringCount);
     }
-    const Index joined = layout.restVertices[static_cast<std::size_t>(layout.ringBegin()) + static_cast<std::size_t>(v)];
+    const Index joined =
+        layout.restVertices[static_cast<std::size_t>(layout.ringBegin()) + static_cast<std::size_t>(v)];
     return surface.join().points[static_cast<std::size_t>(joined)];
   };
   const Face& corners = layout.rimFaces[static_cast<std::size_t>(face)];

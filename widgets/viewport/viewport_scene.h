@@ -39,7 +39,7 @@ struct Viewport::Scene {
   bool painting = false;
 
   Camera camera;
-  Camera shown;         // differs from `camera` while the view glides to it
+  Camera shown;        // differs from `camera` while the view glides to it
   bool framed = true;  // the camera is where frameAll() left it, or nobody has moved it yet
   QVariantAnimation glide;
   Camera glideStart;
