@@ -64,6 +64,8 @@ constexpr Entry kEntries[] = {
     {"viewMenu", "left", TEXT("Left"), "", "Ctrl+3", TEXT("Look from the left")},
     {"viewMenu", "top", TEXT("Top"), "", "7", TEXT("Look from above")},
     {"viewMenu", "bottom", TEXT("Bottom"), "", "Ctrl+7", TEXT("Look from below")},
+    {"viewMenu", "otherUp", TEXT("Change what is &up"), "", "U",
+     TEXT("Take y as up instead of z, or z instead of y")},
     {"viewMenu", "link", TEXT("&Link the views"), "link", "L", TEXT("Part and base turn together"), "-"},
     {"viewMenu", ""},
     {"viewMenu", "nextColouring", TEXT("Next &colours"), "", "C",

@@ -55,4 +55,11 @@ Camera firstView(const Document& document, Side side) {
   return {direction * asset->mesh->diagonal(), Point::Zero(), up, up};
 }
 
+Camera withOtherUp(const Camera& camera) {
+  const bool zUp = std::abs(camera.axis.z()) > std::abs(camera.axis.y());
+  const Eigen::Vector3d axis = zUp ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(camera.axis, axis);
+  return {camera.pivot + turn * (camera.position - camera.pivot), camera.pivot, axis, axis};
+}
+
 }  // namespace graftsman

@@ -10,4 +10,8 @@ namespace graftsman {
 /// loop's normal, z for others. To be framed.
 [[nodiscard]] Camera firstView(const Document& document, Side side);
 
+/// The camera with y as the upright axis instead of z, or z instead of y; the shape turns with it, so that
+/// what was on top is in front or the other way round.
+[[nodiscard]] Camera withOtherUp(const Camera& camera);
+
 }  // namespace graftsman

@@ -7,6 +7,7 @@
 #include "app/document/loop_editor.h"
 #include "app/document/stage_runner.h"
 #include "app/workbench/actions.h"
+#include "app/workbench/first_view.h"
 #include "app/workbench/fusion_page.h"
 #include "app/workbench/help_dialogs.h"
 #include "app/workbench/job_queue.h"
@@ -86,6 +87,11 @@ void MainWindow::connectViews() {
   look("left", AxisView::Left);
   look("top", AxisView::Top);
   look("bottom", AxisView::Bottom);
+  onTrigger(actions, "otherUp", this, [this] {
+    if (Viewport* viewport = currentViewport()) {
+      viewport->aim(withOtherUp(viewport->camera()));
+    }
+  });
   connect(actions["link"], &QAction::toggled, tiles_, &TilesPage::setLinked);
 
   onTrigger(actions, "nextColouring", this, [this] {
@@ -226,7 +232,7 @@ void MainWindow::enableActions() {
   for (const char* name : {"nextColouring", "seam", "edges", "wireframe"}) {
     enable(name, mode() == Mode::Fusion);
   }
-  for (const char* name : {"frame", "front", "back", "right", "left", "top", "bottom"}) {
+  for (const char* name : {"frame", "front", "back", "right", "left", "top", "bottom", "otherUp"}) {
     enable(name, mode() != Mode::Start);
   }
   enable("link", mode() == Mode::Tiles);
