@@ -5,6 +5,8 @@ set -euo pipefail
 root=$(realpath "$(dirname "${BASH_SOURCE[0]}")/..")
 logs=$root/build/log
 mkdir -p "$logs"
+# Another checkout of the same sources finds what this one compiled.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 
 fail() {
   printf '%s\n' "$*" >&2
