@@ -14,6 +14,7 @@
 #include "core/io/report.h"
 #include "core/io/result_file.h"
 #include "core/io/scenario.h"
+#include "core/project/evaluate.h"
 #include "core/project/project_file.h"
 
 using namespace graftsman;
@@ -43,28 +44,35 @@ bool endsIn(const std::filesystem::path& path, std::string_view wanted) {
   return ending == wanted;
 }
 
-// The fusion of a project as if a scenario had said it.
+// The fusion that a project shows, as if a scenario had said it; what it is made of is computed.
 Result<LoadedScenario> fusionOf(const LoadedProject& loaded) {
-  const Document& document = loaded.project.document;
   if (!loaded.fusionIntact) {
     return fail(loaded.damage.front());
   }
+  const FusionList& fusions = loaded.project.document.fusions;
+  const FusionId shown = loaded.project.shown;
   for (const Side side : {Side::Part, Side::Base}) {
-    if (!document.of(side)) {
+    if (!find(fusions, shown)->of(side)) {
       return fail({ErrorCode::MeshEmpty,
                    std::string("the project has no ") + name(side) + " yet. Load one in the workbench.",
                    side});
     }
   }
-  if (!document.closed) {
+  if (!find(fusions, shown)->closed) {
     return fail(ErrorCode::LoopTooShort, "the project's loop is not closed yet. Close it in the workbench.");
   }
+  Evaluated known;
+  Upstream upstream = evaluateUpstream(fusions, shown, known, terminalProgress("Fusing"));
+  if (upstream.error) {
+    return fail(std::move(*upstream.error));
+  }
+  const Fusion resolved = resolve(*find(fusions, shown), upstream.assets);
   LoadedScenario fusion;
-  fusion.scenario.part = document.part->source;
-  fusion.scenario.base = document.base->source;
-  fusion.scenario.inputs = document.inputs;
-  fusion.partReport = document.part->report;
-  fusion.baseReport = document.base->report;
+  fusion.scenario.part = resolved.part->source;
+  fusion.scenario.base = resolved.base->source;
+  fusion.scenario.inputs = resolved.inputs;
+  fusion.partReport = resolved.part->report;
+  fusion.baseReport = resolved.base->report;
   return fusion;
 }
 

@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <utility>
 
+#include "core/project/document_edits.h"
+
 namespace graftsman {
 namespace {
 
@@ -18,16 +20,16 @@ Touched curvePoint(int point) {
   return {{}, point};
 }
 
-Document withCurve(const DocumentModel& model, const FCF& curve) {
-  Document document = model.committed();
-  document.inputs.fcf = curve;
-  return document;
+Fusion withCurve(const DocumentModel& model, const FCF& curve) {
+  Fusion fusion = model.committed();
+  fusion.inputs.fcf = curve;
+  return fusion;
 }
 
-Document withAdjustment(const DocumentModel& model, const AdjustmentSettings& settings) {
-  Document document = model.committed();
-  document.inputs.adjustment = settings;
-  return document;
+Fusion withAdjustment(const DocumentModel& model, const AdjustmentSettings& settings) {
+  Fusion fusion = model.committed();
+  fusion.inputs.adjustment = settings;
+  return fusion;
 }
 
 AdjustmentSettings everyStepOn(AdjustmentSettings settings) {
@@ -63,66 +65,76 @@ QString adjustmentText(const AdjustmentSettings& before, const AdjustmentSetting
 
 }  // namespace
 
-EditCommand::EditCommand(DocumentModel& model, Document after, const QString& text, Touched touched)
+EditCommand::EditCommand(DocumentModel& model, Fusion after, const QString& text, Touched touched)
     : QUndoCommand(text),
       model_(model),
-      before_(model.committed()),
-      after_(std::move(after)),
+      before_(model.document()),
+      after_(edits::withFusion(model.document(), std::move(after))),
+      shownBefore_(model.shown()),
+      shownAfter_(model.shown()),
       touched_(touched) {}
 
+EditCommand::EditCommand(DocumentModel& model, Document after, FusionId shown, const QString& text)
+    : QUndoCommand(text),
+      model_(model),
+      before_(model.document()),
+      after_(std::move(after)),
+      shownBefore_(model.shown()),
+      shownAfter_(shown) {}
+
 void EditCommand::undo() {
-  model_.apply(before_, Change::History, touched_);
+  model_.apply(before_, shownBefore_, Change::History, touched_);
 }
 
 void EditCommand::redo() {
-  model_.apply(after_, done_ ? Change::History : Change::Edit, touched_);
+  model_.apply(after_, shownAfter_, done_ ? Change::History : Change::Edit, touched_);
   done_ = true;
 }
 
-AddCVP::AddCVP(DocumentModel& model, Document after, int number)
+AddCVP::AddCVP(DocumentModel& model, Fusion after, int number)
     : EditCommand(model, std::move(after), tr("Add pair %1").arg(number), cv(number)) {}
 
-InsertCVP::InsertCVP(DocumentModel& model, Document after, int number)
+InsertCVP::InsertCVP(DocumentModel& model, Fusion after, int number)
     : EditCommand(model, std::move(after), tr("Insert pair %1").arg(number), cv(number)) {}
 
-MoveCVP::MoveCVP(DocumentModel& model, Document after, int number, Side side)
+MoveCVP::MoveCVP(DocumentModel& model, Fusion after, int number, Side side)
     : EditCommand(model, std::move(after), tr("Move CV %1 on the %2").arg(number).arg(label(side)),
                   cv(number)) {}
 
-RemoveCVP::RemoveCVP(DocumentModel& model, Document after, int first, int count)
+RemoveCVP::RemoveCVP(DocumentModel& model, Fusion after, int first, int count)
     : EditCommand(model, std::move(after),
                   count == 1 ? tr("Remove pair %1").arg(first) : tr("Remove %1 pairs").arg(count)) {}
 
-CloseLoop::CloseLoop(DocumentModel& model, Document after)
+CloseLoop::CloseLoop(DocumentModel& model, Fusion after)
     : EditCommand(model, std::move(after), tr("Close the loop")) {}
 
-OpenLoop::OpenLoop(DocumentModel& model, Document after)
+OpenLoop::OpenLoop(DocumentModel& model, Fusion after)
     : EditCommand(model, std::move(after), tr("Open the loop")) {}
 
-ClearLoop::ClearLoop(DocumentModel& model, Document after)
+ClearLoop::ClearLoop(DocumentModel& model, Fusion after)
     : EditCommand(model, std::move(after), tr("Remove all pairs")) {}
 
-ReverseLoop::ReverseLoop(DocumentModel& model, Document after)
+ReverseLoop::ReverseLoop(DocumentModel& model, Fusion after)
     : EditCommand(model, std::move(after), tr("Reverse the loop")) {}
 
-ShiftCorrespondence::ShiftCorrespondence(DocumentModel& model, Document after)
+ShiftCorrespondence::ShiftCorrespondence(DocumentModel& model, Fusion after)
     : EditCommand(model, std::move(after), tr("Shift the correspondence")) {}
 
-MirrorCorrespondence::MirrorCorrespondence(DocumentModel& model, Document after)
+MirrorCorrespondence::MirrorCorrespondence(DocumentModel& model, Fusion after)
     : EditCommand(model, std::move(after), tr("Mirror the correspondence")) {}
 
-AllowLargeTile::AllowLargeTile(DocumentModel& model, Document after)
+AllowLargeTile::AllowLargeTile(DocumentModel& model, Fusion after)
     : EditCommand(model, std::move(after), tr("Take the large side of the loop")) {}
 
-SetPathMode::SetPathMode(DocumentModel& model, const Document& after)
+SetPathMode::SetPathMode(DocumentModel& model, const Fusion& after)
     : EditCommand(model, after,
                   after.inputs.paths == PathMode::Paper ? tr("Take the paper's paths")
                                                         : tr("Straighten the paths")) {}
 
-SetEmbedding::SetEmbedding(DocumentModel& model, Document after)
+SetEmbedding::SetEmbedding(DocumentModel& model, Fusion after)
     : EditCommand(model, std::move(after), tr("Change the embedding")) {}
 
-LoadMesh::LoadMesh(DocumentModel& model, const Document& after, Side side)
+LoadMesh::LoadMesh(DocumentModel& model, const Fusion& after, Side side)
     : EditCommand(model, after,
                   tr("Load %1 as the %2").arg(QString::fromStdString(after.of(side)->name), label(side))) {}
 

@@ -4,12 +4,11 @@
 #include <QUndoCommand>
 
 #include "app/document/document_model.h"
-#include "core/project/document.h"
 
 namespace graftsman {
 
 /// An edit: a name over the document before and the document after (DESIGN.md §3). Whether it is legal was
-/// decided by core, which made the document after (core/project/edits.h, FCF::through()).
+/// decided by core, which made what is after (core/project/edits.h and document_edits.h, FCF::through()).
 class EditCommand : public QUndoCommand {
  public:
   void undo() override;
@@ -17,12 +16,17 @@ class EditCommand : public QUndoCommand {
   [[nodiscard]] bool changesNothing() const { return before_ == after_; }
 
  protected:
-  EditCommand(DocumentModel& model, Document after, const QString& text, Touched touched = {});
+  /// Of the fusion that is shown.
+  EditCommand(DocumentModel& model, Fusion after, const QString& text, Touched touched = {});
+  /// Of the whole document; fusion `shown` is shown after it, and after its undo the one that is shown now.
+  EditCommand(DocumentModel& model, Document after, FusionId shown, const QString& text);
 
  private:
   DocumentModel& model_;
   Document before_;
   Document after_;
+  FusionId shownBefore_;
+  FusionId shownAfter_;
   Touched touched_;
   bool done_ = false;  // once: from now on, redo() is a redo
 };
@@ -31,75 +35,75 @@ class EditCommand : public QUndoCommand {
 
 class AddCVP : public EditCommand {
  public:
-  AddCVP(DocumentModel& model, Document after, int number);
+  AddCVP(DocumentModel& model, Fusion after, int number);
 };
 
 class InsertCVP : public EditCommand {
  public:
-  InsertCVP(DocumentModel& model, Document after, int number);
+  InsertCVP(DocumentModel& model, Fusion after, int number);
 };
 
 class MoveCVP : public EditCommand {
  public:
-  MoveCVP(DocumentModel& model, Document after, int number, Side side);
+  MoveCVP(DocumentModel& model, Fusion after, int number, Side side);
 };
 
 class RemoveCVP : public EditCommand {
  public:
   /// `count` pairs, of which `first` is the first.
-  RemoveCVP(DocumentModel& model, Document after, int first, int count);
+  RemoveCVP(DocumentModel& model, Fusion after, int first, int count);
 };
 
 class CloseLoop : public EditCommand {
  public:
-  CloseLoop(DocumentModel& model, Document after);
+  CloseLoop(DocumentModel& model, Fusion after);
 };
 
 class OpenLoop : public EditCommand {
  public:
-  OpenLoop(DocumentModel& model, Document after);
+  OpenLoop(DocumentModel& model, Fusion after);
 };
 
 class ClearLoop : public EditCommand {
  public:
-  ClearLoop(DocumentModel& model, Document after);
+  ClearLoop(DocumentModel& model, Fusion after);
 };
 
 class ReverseLoop : public EditCommand {
  public:
-  ReverseLoop(DocumentModel& model, Document after);
+  ReverseLoop(DocumentModel& model, Fusion after);
 };
 
 class ShiftCorrespondence : public EditCommand {
  public:
-  ShiftCorrespondence(DocumentModel& model, Document after);
+  ShiftCorrespondence(DocumentModel& model, Fusion after);
 };
 
 class MirrorCorrespondence : public EditCommand {
  public:
-  MirrorCorrespondence(DocumentModel& model, Document after);
+  MirrorCorrespondence(DocumentModel& model, Fusion after);
 };
 
 class AllowLargeTile : public EditCommand {
  public:
-  AllowLargeTile(DocumentModel& model, Document after);
+  AllowLargeTile(DocumentModel& model, Fusion after);
 };
 
 class SetPathMode : public EditCommand {
  public:
-  SetPathMode(DocumentModel& model, const Document& after);
+  SetPathMode(DocumentModel& model, const Fusion& after);
 };
 
 class SetEmbedding : public EditCommand {
  public:
-  SetEmbedding(DocumentModel& model, Document after);
+  SetEmbedding(DocumentModel& model, Fusion after);
 };
 
 // Meshes.
 
 class LoadMesh : public EditCommand {
  public:
-  LoadMesh(DocumentModel& model, const Document& after, Side side);
+  LoadMesh(DocumentModel& model, const Fusion& after, Side side);
 };
 
 // Fusion curve.

@@ -3,8 +3,13 @@
 #include <utility>
 
 #include "app/document/commands.h"
+#include "core/project/document_edits.h"
 
 namespace graftsman {
+
+Document DocumentModel::shownDocument() const {
+  return dragged_ ? edits::withFusion(document_, *dragged_) : document_;
+}
 
 void DocumentModel::push(std::unique_ptr<EditCommand> command) {
   if (command->changesNothing()) {
@@ -14,8 +19,8 @@ void DocumentModel::push(std::unique_ptr<EditCommand> command) {
   history_.push(command.release());
 }
 
-void DocumentModel::drag(Document document) {
-  dragged_ = std::move(document);
+void DocumentModel::drag(Fusion fusion) {
+  dragged_ = std::move(fusion);
   Q_EMIT changed(Change::Drag, {});
 }
 
@@ -26,17 +31,60 @@ void DocumentModel::cancelDrag() {
   }
 }
 
-void DocumentModel::reset(Document document) {
-  dragged_.reset();
-  history_.clear();
-  document_ = std::move(document);
-  Q_EMIT changed(Change::Reset, {});
+void DocumentModel::show(FusionId id) {
+  if (id != fusion_.id && find(document_.fusions, id) != nullptr) {
+    dragged_.reset();
+    take(document_, id);
+    Q_EMIT changed(Change::Shown, {});
+  }
 }
 
-void DocumentModel::apply(const Document& document, Change change, const Touched& touched) {
+void DocumentModel::reset(Document document, FusionId shown) {
   dragged_.reset();
-  document_ = document;
+  history_.clear();
+  assets_.clear();
+  take(document, shown);
+  Q_EMIT changed(Change::Reset, {});
+  Q_EMIT documentChanged();
+}
+
+void DocumentModel::reset(const Fusion& fusion) {
+  reset({{std::make_shared<const Fusion>(fusion)}, {}}, fusion.id);
+}
+
+void DocumentModel::setResultAssets(const ResultAssets& assets) {
+  bool concerned = false;
+  for (const auto& [id, asset] : assets) {
+    auto& known = assets_[id];
+    if (known != asset) {
+      known = asset;
+      concerned = concerned || fusion_.upstream(Side::Part) == id || fusion_.upstream(Side::Base) == id;
+    }
+  }
+  if (concerned) {
+    fusion_ = resolve(std::move(fusion_), assets_);
+    if (dragged_) {
+      dragged_ = resolve(std::move(*dragged_), assets_);
+    }
+    Q_EMIT changed(Change::Upstream, {});
+  }
+}
+
+void DocumentModel::apply(const Document& document, FusionId shown, Change change, const Touched& touched) {
+  dragged_.reset();
+  const bool another = shown != fusion_.id;
+  take(document, shown);
+  if (another) {
+    Q_EMIT changed(Change::Shown, {});
+  }
   Q_EMIT changed(change, touched);
+  Q_EMIT documentChanged();
+}
+
+void DocumentModel::take(const Document& document, FusionId shown) {
+  document_ = document;
+  const Fusion* fusion = find(document_.fusions, shown);
+  fusion_ = resolve(fusion != nullptr ? *fusion : *document_.fusions.back(), assets_);
 }
 
 }  // namespace graftsman

@@ -57,16 +57,16 @@ void LoopEditor::select(const QSet<int>& pairs) {
 
 void LoopEditor::pick(Side side, const SurfacePoint& at) {
   beforePick_ = {half_, model_.history()->index()};
-  const Document& document = model_.committed();
-  if (document.closed) {
+  const Fusion& fusion = model_.committed();
+  if (fusion.closed) {
     Q_EMIT refused(
         error(ErrorCode::LoopRepeatsPoint,
               tr("The loop is closed. Click on a path to insert a pair, or open the loop to go on."), side));
     return;
   }
   // A CV that could not stand there is refused at once, not when its partner comes.
-  for (std::size_t i = 0; i < document.inputs.loop.size(); ++i) {
-    const CVP& pair = document.inputs.loop[i];
+  for (std::size_t i = 0; i < fusion.inputs.loop.size(); ++i) {
+    const CVP& pair = fusion.inputs.loop[i];
     if ((side == Side::Part ? pair.part : pair.base) == at) {
       clickCV(static_cast<int>(i));
       return;
@@ -77,8 +77,8 @@ void LoopEditor::pick(Side side, const SurfacePoint& at) {
     return;
   }
   const CVP pair = side == Side::Part ? CVP{at, half_->at} : CVP{half_->at, at};
-  const std::size_t number = document.inputs.loop.size();
-  Result<Document> after = edits::insertPair(document, number, pair);
+  const std::size_t number = fusion.inputs.loop.size();
+  Result<Fusion> after = edits::insertPair(fusion, number, pair);
   if (!after) {
     Q_EMIT refused(after.error());
     return;
@@ -107,11 +107,11 @@ void LoopEditor::insertOnPath(Side side, int number, const SurfacePoint& at, con
               tr("The %1 has no such path yet. Mend the loop there first.").arg(label(other(side))), side));
     return;
   }
-  const Document& document = model_.committed();
-  const auto& ownMesh = side == Side::Part ? document.inputs.part : document.inputs.base;
+  const Fusion& fusion = model_.committed();
+  const auto& ownMesh = side == Side::Part ? fusion.inputs.part : fusion.inputs.base;
   const double fraction =
       fractionNearest(*(*own)[index], *anchoredOf(*seen, side).mesh, positionOf(*ownMesh, at));
-  const auto& oppositeMesh = side == Side::Part ? document.inputs.base : document.inputs.part;
+  const auto& oppositeMesh = side == Side::Part ? fusion.inputs.base : fusion.inputs.part;
   const std::optional<SurfacePoint> partner =
       pointAlong(*(*opposite)[index], anchoredOf(*seen, other(side)), oppositeMesh->vertexCount(), fraction);
   if (!partner) {
@@ -123,7 +123,7 @@ void LoopEditor::insertOnPath(Side side, int number, const SurfacePoint& at, con
     return;
   }
   const CVP pair = side == Side::Part ? CVP{at, *partner} : CVP{*partner, at};
-  Result<Document> after = edits::insertPair(document, index + 1, pair);
+  Result<Fusion> after = edits::insertPair(fusion, index + 1, pair);
   if (!after) {
     Q_EMIT refused(after.error());
     return;
@@ -153,17 +153,17 @@ void LoopEditor::dragTo(Side side, int number, const SurfacePoint& to) {
       number >= static_cast<int>(model_.committed().inputs.loop.size())) {
     return;
   }
-  Result<Document> moved = edits::moveCV(model_.committed(), static_cast<std::size_t>(number), side, to);
+  Result<Fusion> moved = edits::moveCV(model_.committed(), static_cast<std::size_t>(number), side, to);
   if (moved) {
-    drag_->document = *moved;
+    drag_->fusion = *moved;
     model_.drag(std::move(*moved));
   }
 }
 
 void LoopEditor::finishDrag() {
   const std::optional<Drag> drag = std::exchange(drag_, {});
-  if (drag && drag->document) {
-    model_.push(std::make_unique<MoveCVP>(model_, *drag->document, drag->number, drag->side));
+  if (drag && drag->fusion) {
+    model_.push(std::make_unique<MoveCVP>(model_, *drag->fusion, drag->number, drag->side));
   }
 }
 
@@ -186,7 +186,7 @@ void LoopEditor::remove(const QSet<int>& pairs) {
 }
 
 void LoopEditor::close() {
-  Result<Document> after = edits::closeLoop(model_.committed());
+  Result<Fusion> after = edits::closeLoop(model_.committed());
   if (!after) {
     Q_EMIT refused(after.error());
     return;
@@ -218,7 +218,7 @@ void LoopEditor::clear() {
 }
 
 void LoopEditor::allowLargeTile() {
-  Document after = model_.committed();
+  Fusion after = model_.committed();
   after.inputs.tile.allowLargeTile = true;
   model_.push(std::make_unique<AllowLargeTile>(model_, std::move(after)));
 }
@@ -244,12 +244,12 @@ void LoopEditor::setHalfPair(std::optional<HalfPair> half) {
 
 // After an edit, an undo or another document.
 void LoopEditor::forgetWhatIsGone() {
-  const Document& document = model_.committed();
-  const auto count = static_cast<int>(document.inputs.loop.size());
+  const Fusion& fusion = model_.committed();
+  const auto count = static_cast<int>(fusion.inputs.loop.size());
   if (half_) {
-    const auto& mesh = half_->side == Side::Part ? document.inputs.part : document.inputs.base;
+    const auto& mesh = half_->side == Side::Part ? fusion.inputs.part : fusion.inputs.base;
     const bool there = mesh && half_->at.vertex < mesh->vertexCount() && half_->at.face < mesh->faceCount();
-    if (!there || document.closed) {
+    if (!there || fusion.closed) {
       setHalfPair({});
     }
   }

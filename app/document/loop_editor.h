@@ -71,7 +71,7 @@ class LoopEditor : public QObject {
   struct Drag {
     Side side = Side::Part;
     int number = 0;
-    std::optional<Document> document;  // with the CV at the last legal place
+    std::optional<Fusion> fusion;  // with the CV at the last legal place
   };
 
   // What a pick found, to go back to.

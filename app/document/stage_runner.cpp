@@ -7,9 +7,20 @@ namespace graftsman {
 namespace {
 
 // The same but for the fusion curve: a run under way stays useful, what is missing is a blend.
-bool onlyCurveDiffers(Document a, const Document& b) {
-  a.inputs.fcf = b.inputs.fcf;
-  return a == b;
+bool onlyCurveDiffers(const FusionList& before, const FusionList& now, FusionId id) {
+  if (find(before, id) == nullptr || before.size() != now.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    Fusion fusion = *before[i];
+    if (fusion.id == id) {
+      fusion.inputs.fcf = now[i]->inputs.fcf;
+    }
+    if (before[i] != now[i] && !(fusion == *now[i])) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -25,12 +36,12 @@ StageRunner::~StageRunner() {
   worker_.join();
 }
 
-void StageRunner::request(const Document& document, Urgency urgency) {
-  enqueue({document, urgency, false});
+void StageRunner::request(const Document& document, FusionId id, Urgency urgency) {
+  enqueue({document.fusions, id, urgency, false});
 }
 
-void StageRunner::requestAdjustment(const Document& document) {
-  enqueue({document, Urgency::Edit, true});
+void StageRunner::requestAdjustment(const Document& document, FusionId id) {
+  enqueue({document.fusions, id, Urgency::Edit, true});
 }
 
 void StageRunner::enqueue(Request request) {
@@ -38,7 +49,8 @@ void StageRunner::enqueue(Request request) {
     const std::lock_guard lock(mutex_);
     const bool followsDrag =
         running_ && running_->urgency == Urgency::Drag && request.urgency == Urgency::Drag;
-    if (running_ && !followsDrag && !onlyCurveDiffers(running_->document, request.document)) {
+    if (running_ && !followsDrag &&
+        (running_->id != request.id || !onlyCurveDiffers(running_->fusions, request.fusions, request.id))) {
       stop_ = true;
     }
     if (pending_ && pending_->adjustAnew) {
@@ -57,7 +69,7 @@ void StageRunner::cancel() {
   if (running_) {
     stop_ = dismiss_ = true;
   } else if (pending_) {
-    outcome_ = Outcome{pending_->document, {}, {}, {}, true};
+    outcome_ = Outcome{*find(pending_->fusions, pending_->id), {}, {}, {}, {}, true};
   }
   pending_.reset();
   if (!std::exchange(notified_, true)) {
@@ -97,22 +109,21 @@ void StageRunner::work() {
 }
 
 Outcome StageRunner::run(const Request& request) {
-  const Document& document = request.document;
-  const FusionInputs& inputs = document.inputs;
-  Outcome outcome{document, {}, {}, {}, false};
   const Progress whole = progress();
-  if (document.closed && inputs.part && inputs.base) {
-    if (request.adjustAnew) {
-      previous_.adjustment.reset();
-    }
-    auto results = std::make_shared<const FusionResults>(
-        update(inputs, previous_, whole, [this](Stage stage, std::optional<Side> side) {
-          const std::lock_guard lock(mutex_);
-          progress_.stage = stage;
-          progress_.side = side;
-        }));
-    previous_ = *results;
-    outcome.results = std::move(results);
+  if (request.adjustAnew) {
+    known_.fusions[request.id].results.adjustment.reset();
+  }
+  Evaluation evaluation =
+      evaluate(request.fusions, request.id, known_, whole, [this](Stage stage, std::optional<Side> side) {
+        const std::lock_guard lock(mutex_);
+        progress_.stage = stage;
+        progress_.side = side;
+      });
+  Outcome outcome{std::move(evaluation.fusion), std::move(evaluation.assets), {}, {}, {}, false};
+  const Fusion& fusion = outcome.fusion;
+  const FusionInputs& inputs = fusion.inputs;
+  if (fusion.closed && fusion.part && fusion.base) {
+    outcome.results = std::make_shared<const FusionResults>(std::move(evaluation.results));
   }
   // Of a loop that is open, or has no simple closed curve, a person sees each path as it is alone.
   const auto find = [&](Side side, OpenPaths& known,
@@ -121,8 +132,8 @@ Outcome StageRunner::run(const Request& request) {
     if (outcome.results && (side == Side::Part ? outcome.results->part : outcome.results->base).paths) {
       return nullptr;
     }
-    known = mesh ? findOpenPaths(mesh, inputs.loop, document.closed, side, inputs.paths, known, part)
-                 : OpenPaths{};
+    known =
+        mesh ? findOpenPaths(mesh, inputs.loop, fusion.closed, side, inputs.paths, known, part) : OpenPaths{};
     return std::make_shared<const OpenPaths>(known);
   };
   outcome.openPart = find(Side::Part, openPart_, whole.span(0, 0.5));

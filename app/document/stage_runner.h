@@ -8,14 +8,15 @@
 #include <thread>
 
 #include "core/fusion/open_paths.h"
-#include "core/project/document.h"
+#include "core/project/evaluate.h"
 
 namespace graftsman {
 
 /// What came out of a run. A closed loop has `results`; the paths of each mesh where the loop is open, or
 /// failed there.
 struct Outcome {
-  Document document;  // that it was computed from
+  Fusion fusion;        // that it was computed from, resolved
+  ResultAssets assets;  // the results that it is made of
   std::shared_ptr<const FusionResults> results;
   std::shared_ptr<const OpenPaths> openPart;
   std::shared_ptr<const OpenPaths> openBase;
@@ -43,10 +44,10 @@ class StageRunner : public QObject {
     Drag,  // lets another drag's run finish first, so that something is always seen
   };
 
-  /// Asks for a run. What was asked for before and has not begun is forgotten.
-  void request(const Document& document, Urgency urgency);
+  /// Asks for fusion `id` and what it is made of. What was asked for before and has not begun is forgotten.
+  void request(const Document& document, FusionId id, Urgency urgency);
   /// As request(Edit), and the adjustment runs even if nothing changed.
-  void requestAdjustment(const Document& document);
+  void requestAdjustment(const Document& document, FusionId id);
   /// Stops the run under way and forgets what is asked for; finished() tells it. Without a run: nothing.
   void cancel();
   /// A run is under way or asked for.
@@ -60,7 +61,8 @@ class StageRunner : public QObject {
 
  private:
   struct Request {
-    Document document;
+    FusionList fusions;
+    FusionId id = 0;
     Urgency urgency = Urgency::Edit;
     bool adjustAnew = false;
   };
@@ -84,7 +86,7 @@ class StageRunner : public QObject {
   bool notified_ = false;
 
   // The worker's own: what the next run starts from.
-  FusionResults previous_;
+  Evaluated known_;
   OpenPaths openPart_;
   OpenPaths openBase_;
 

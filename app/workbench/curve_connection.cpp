@@ -8,20 +8,20 @@ namespace graftsman {
 namespace {
 
 void dragCurve(DocumentModel& model, const FCF& curve) {
-  Document document = model.committed();
-  document.inputs.fcf = curve;
-  model.drag(std::move(document));
+  Fusion fusion = model.committed();
+  fusion.inputs.fcf = curve;
+  model.drag(std::move(fusion));
 }
 
 }  // namespace
 
 void connectCurve(FusionCurvePanel& panel, DocumentModel& model, FusionPage& page) {
   FusionCurveEditor* editor = panel.editor();
-  panel.setCurve(model.document().inputs.fcf);
+  panel.setCurve(model.fusion().inputs.fcf);
   QObject::connect(&model, &DocumentModel::changed, &panel,
                    [&panel, &model, editor](Change change, const Touched& touched) {
-                     panel.setCurve(model.document().inputs.fcf);
-                     const auto points = static_cast<int>(model.document().inputs.fcf.points().size());
+                     panel.setCurve(model.fusion().inputs.fcf);
+                     const auto points = static_cast<int>(model.fusion().inputs.fcf.points().size());
                      if (change == Change::History && touched.curvePoint) {
                        editor->selectPoint(*touched.curvePoint < points ? *touched.curvePoint : -1);
                      }
@@ -29,7 +29,7 @@ void connectCurve(FusionCurvePanel& panel, DocumentModel& model, FusionPage& pag
   QObject::connect(editor, &FusionCurveEditor::moved, &panel,
                    [&](int, const FCF& curve) { dragCurve(model, curve); });
   QObject::connect(editor, &FusionCurveEditor::moveFinished, &panel, [&](int point) {
-    model.push(std::make_unique<MoveFCFPoint>(model, model.document().inputs.fcf, point));
+    model.push(std::make_unique<MoveFCFPoint>(model, model.fusion().inputs.fcf, point));
   });
   QObject::connect(editor, &FusionCurveEditor::moveCancelled, &panel, [&] { model.cancelDrag(); });
   QObject::connect(editor, &FusionCurveEditor::pointAdded, &panel, [&](int point, const FCF& curve) {

@@ -16,9 +16,9 @@ constexpr double kAlong = 0.8;
 
 // The normal of the polygon through the CVs (Newell's), outward for a loop that is counter-clockwise. Zero:
 // none.
-Eigen::Vector3d loopNormal(const Document& document, Side side) {
-  const auto& mesh = side == Side::Part ? document.inputs.part : document.inputs.base;
-  const Loop& loop = document.inputs.loop;
+Eigen::Vector3d loopNormal(const Fusion& fusion, Side side) {
+  const auto& mesh = side == Side::Part ? fusion.inputs.part : fusion.inputs.base;
+  const Loop& loop = fusion.inputs.loop;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   if (loop.size() < 3) {
     return normal;
@@ -35,12 +35,12 @@ Eigen::Vector3d loopNormal(const Document& document, Side side) {
 
 }  // namespace
 
-Camera firstView(const Document& document, Side side) {
-  const std::shared_ptr<const MeshAsset>& asset = document.of(side);
+Camera firstView(const Fusion& fusion, Side side) {
+  const std::shared_ptr<const MeshAsset>& asset = fusion.of(side);
   const bool yUp = asset->report.format == MeshFormat::Obj;
   Eigen::Vector3d up = yUp ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
   Eigen::Vector3d front = yUp ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitY());
-  const Eigen::Vector3d normal = loopNormal(document, side);
+  const Eigen::Vector3d normal = loopNormal(fusion, side);
   if (std::abs(normal.dot(up)) <= kAlong) {
     front = normal.norm() > 0.5 ? normal : front;
   } else if (yUp) {

@@ -8,7 +8,7 @@ namespace graftsman {
 /// Where to look at a mesh of the document from at first: at its region of the loop, from a little beside and
 /// above; without a loop from the front. What is up is guessed: y for OBJ files unless that is the
 /// loop's normal, z for others. To be framed.
-[[nodiscard]] Camera firstView(const Document& document, Side side);
+[[nodiscard]] Camera firstView(const Fusion& fusion, Side side);
 
 /// The camera with y as the upright axis instead of z, or z instead of y; the shape turns with it, so that
 /// what was on top is in front or the other way round.

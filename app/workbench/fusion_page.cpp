@@ -51,8 +51,8 @@ void FusionPage::setOutcome(const std::shared_ptr<const Outcome>& outcome) {
     shown_ = outcome->results;
     pane_->setResults(shown_);
     // The hand may be further than the worker was.
-    if (!(shown_->inputs.fcf == model_.document().inputs.fcf)) {
-      pane_->setCurve(model_.document().inputs.fcf);
+    if (!(shown_->inputs.fcf == model_.fusion().inputs.fcf)) {
+      pane_->setCurve(model_.fusion().inputs.fcf);
     }
   }
   showVerdict(outcome.get());
@@ -74,7 +74,7 @@ void FusionPage::setPartInPlace(AdjustmentPanel::Shown shown) {
 }
 
 void FusionPage::showDocument(Change change) {
-  const FusionInputs& inputs = model_.document().inputs;
+  const FusionInputs& inputs = model_.fusion().inputs;
   if (change == Change::Reset || !inputs.part || !inputs.base) {
     shown_.reset();
     pane_->setResults(nullptr);
@@ -90,13 +90,13 @@ void FusionPage::showVerdict(const Outcome* outcome) {
                                      QLocale().toString(shown_->fused->faces().size()))
                           : QString());
   const Error* error = errorOf(outcome);
-  if (error && model_.document().closed) {
+  if (error && model_.fusion().closed) {
     const QString text = QString::fromStdString(error->message);
     frame_->setProblem(shown_ ? tr("Shown is the last result that worked. %1").arg(text) : text,
                        tr("Show the tiles"));
     return;
   }
-  const bool open = !model_.document().closed;
+  const bool open = !model_.fusion().closed;
   frame_->setProblem(open && shown_ ? tr("The loop is open: shown is the last result.") : QString(),
                      open && shown_ ? tr("Show the tiles") : QString());
   frame_->setHint(shown_ ? tr("Drag a point of the fusion curve, and the result follows")

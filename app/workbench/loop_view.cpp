@@ -59,13 +59,13 @@ Remedy remedyFor(const Error& error) {
   }
 }
 
-Verdict guidance(Side side, const Document& document, const std::optional<HalfPair>& half) {
-  const std::size_t pairs = document.inputs.loop.size();
+Verdict guidance(Side side, const Fusion& fusion, const std::optional<HalfPair>& half) {
+  const std::size_t pairs = fusion.inputs.loop.size();
   const QString here = label(side);
-  if (!document.of(side)) {
+  if (!fusion.of(side)) {
     return {tr("Load or drop a mesh here"), false, Remedy::None};
   }
-  if (!document.part || !document.base) {
+  if (!fusion.part || !fusion.base) {
     return {tr("Load the other mesh, too"), false, Remedy::None};
   }
   if (half) {
@@ -101,15 +101,15 @@ const Error* errorOf(const Outcome* outcome) {
   return nullptr;
 }
 
-SideView viewLoop(Side side, const Document& document, const Outcome* outcome,
+SideView viewLoop(Side side, const Fusion& fusion, const Outcome* outcome,
                   const std::optional<HalfPair>& half, const QSet<int>& selection) {
   SideView view;
-  const bool current = outcome && outcome->document.of(side) == document.of(side) && document.of(side);
+  const bool current = outcome && outcome->fusion.of(side) == fusion.of(side) && fusion.of(side);
   const Error* error = current ? errorOf(outcome) : nullptr;
   if (!concerns(error, side) || (error && error->code == ErrorCode::Cancelled)) {
     error = nullptr;
   }
-  const Loop& loop = document.inputs.loop;
+  const Loop& loop = fusion.inputs.loop;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const int number = static_cast<int>(i);
     view.marks.cvs.push_back({side == Side::Part ? loop[i].part : loop[i].base, number, false,
@@ -131,25 +131,25 @@ SideView viewLoop(Side side, const Document& document, const Outcome* outcome,
       }
     }
     const SideResults* results = resultsOf(*outcome, side);
-    view.marks.tile = document.closed && results ? results->tile : nullptr;
+    view.marks.tile = fusion.closed && results ? results->tile : nullptr;
   }
   if (error) {
     view.verdict = {QString::fromStdString(error->message), true, remedyFor(*error)};
-  } else if (document.closed && view.marks.tile) {
+  } else if (fusion.closed && view.marks.tile) {
     view.verdict.text =
         tr("The tile is a disk of %1 faces").arg(QLocale().toString(view.marks.tile->faces.size()));
-  } else if (!document.closed) {
-    view.verdict = guidance(side, document, half);
+  } else if (!fusion.closed) {
+    view.verdict = guidance(side, fusion, half);
   }
   return view;
 }
 
-std::vector<PairRow> pairRows(const Document& document, const Outcome* outcome,
+std::vector<PairRow> pairRows(const Fusion& fusion, const Outcome* outcome,
                               const std::optional<HalfPair>& half) {
   std::vector<PairRow> rows;
   const Error* error = errorOf(outcome);
   const auto length = [&](Side side, std::size_t i) -> std::optional<double> {
-    if (!outcome || outcome->document.of(side) != document.of(side)) {
+    if (!outcome || outcome->fusion.of(side) != fusion.of(side)) {
       return {};
     }
     const KnownPaths known = knownPaths(*outcome, side);
@@ -157,7 +157,7 @@ std::vector<PairRow> pairRows(const Document& document, const Outcome* outcome,
                ? std::optional((*known.paths)[i]->length)
                : std::nullopt;
   };
-  const Loop& loop = document.inputs.loop;
+  const Loop& loop = fusion.inputs.loop;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     PairRow row{loop[i].part, loop[i].base, length(Side::Part, i), length(Side::Base, i), {}};
     if (error && (concerns(error->cvs, i) || concerns(error->paths, i))) {

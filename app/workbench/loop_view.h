@@ -29,13 +29,13 @@ struct SideView {
   Verdict verdict;
 };
 
-/// The loop of `document` as the window shows it. `outcome` is the last that a run gave (null: none yet): its
+/// The loop of `fusion` as the window shows it. `outcome` is the last that a run gave (null: none yet): its
 /// paths and tile are shown as far as they are of the present meshes, its error where it concerns this side.
-[[nodiscard]] SideView viewLoop(Side side, const Document& document, const Outcome* outcome,
+[[nodiscard]] SideView viewLoop(Side side, const Fusion& fusion, const Outcome* outcome,
                                 const std::optional<HalfPair>& half, const QSet<int>& selection);
 
 /// A row for each pair, and one for the half-made pair.
-[[nodiscard]] std::vector<PairRow> pairRows(const Document& document, const Outcome* outcome,
+[[nodiscard]] std::vector<PairRow> pairRows(const Fusion& fusion, const Outcome* outcome,
                                             const std::optional<HalfPair>& half);
 
 /// Why there is no result; null: there is one, or nothing was tried.

@@ -44,7 +44,7 @@ constexpr int kQuietMs = 150;
 
 constexpr QSize kFirstSize(1280, 800);
 
-bool onlyCurveDiffers(Document a, const Document& b) {
+bool onlyCurveDiffers(Fusion a, const Fusion& b) {
   a.inputs.fcf = b.inputs.fcf;
   return a == b;
 }
@@ -157,18 +157,18 @@ void MainWindow::makeToolBar() {
 
 void MainWindow::connectDocument() {
   connect(model_, &DocumentModel::changed, this, [this](Change change) {
-    const Document& document = model_->document();
-    if (change != Change::Drag) {
-      adjustment_->setSettings(document.inputs.adjustment);
-      runner_->request(document, StageRunner::Urgency::Edit);
-      if (mode() == Mode::Start && (document.part || document.base)) {
+    const Fusion& fusion = model_->fusion();
+    if (change == Change::Upstream) {
+      // What was computed just now: nothing is to be asked for.
+    } else if (change != Change::Drag || !model_->dragging()) {
+      adjustment_->setSettings(fusion.inputs.adjustment);
+      requestRun(StageRunner::Urgency::Edit);
+      if (mode() == Mode::Start && (fusion.part || fusion.base)) {
         setMode(Mode::Tiles);
       }
-    } else if (!model_->dragging()) {
-      runner_->request(document, StageRunner::Urgency::Edit);
-    } else if (!onlyCurveDiffers(model_->committed(), document)) {
+    } else if (!onlyCurveDiffers(model_->committed(), fusion)) {
       // Of a drag of the curve the result's pane shows each move by itself.
-      runner_->request(document, StageRunner::Urgency::Drag);
+      requestRun(StageRunner::Urgency::Drag);
     }
     enableActions();
   });
@@ -198,6 +198,10 @@ void MainWindow::connectDocument() {
   connect(status_, &StatusLine::cancelWanted, (*actions_)["cancel"], &QAction::trigger);
 }
 
+void MainWindow::requestRun(StageRunner::Urgency urgency) {
+  runner_->request(model_->shownDocument(), model_->shown(), urgency);
+}
+
 void MainWindow::showBusy() {
   const bool busy = runner_->busy();
   tiles_->setProperty("busy", busy);
@@ -218,9 +222,10 @@ void MainWindow::showBusy() {
 void MainWindow::showOutcome(const std::shared_ptr<const Outcome>& outcome) {
   const std::shared_ptr<const FusionResults> before =
       tiles_->outcome() ? tiles_->outcome()->results : nullptr;
+  model_->setResultAssets(outcome->assets);
   tiles_->setOutcome(outcome);
   fusion_->setOutcome(outcome);
-  pairs_->model()->setRows(pairRows(model_->document(), outcome.get(), editor_->halfPair()));
+  pairs_->model()->setRows(pairRows(model_->fusion(), outcome.get(), editor_->halfPair()));
   status_->showOutcome(*outcome);
   if (!outcome->results) {
     stages_->clear();
@@ -244,10 +249,10 @@ void MainWindow::showOutcome(const std::shared_ptr<const Outcome>& outcome) {
 
 void MainWindow::connectPanels() {
   const auto showRows = [this] {
-    pairs_->model()->setRows(pairRows(model_->document(), tiles_->outcome(), editor_->halfPair()));
+    pairs_->model()->setRows(pairRows(model_->fusion(), tiles_->outcome(), editor_->halfPair()));
     const auto& half = editor_->halfPair();
-    const auto pairs = model_->document().inputs.loop.size();
-    pairs_->setNext(model_->document().closed          ? tr("The loop is closed: %1 pairs").arg(pairs)
+    const auto pairs = model_->fusion().inputs.loop.size();
+    pairs_->setNext(model_->fusion().closed            ? tr("The loop is closed: %1 pairs").arg(pairs)
                     : half && half->side == Side::Part ? tr("next: on the base")
                     : half                             ? tr("next: on the part")
                                                        : tr("next: on either mesh"));
@@ -267,7 +272,7 @@ void MainWindow::connectPanels() {
           [this](double s) { fusion_->pane()->setRing(s >= 0 ? std::optional(s) : std::nullopt); });
   connect(fusion_, &FusionPage::tilesWanted, this, [this] { setMode(Mode::Tiles); });
 
-  adjustment_->setSettings(model_->document().inputs.adjustment);
+  adjustment_->setSettings(model_->fusion().inputs.adjustment);
   connect(adjustment_, &AdjustmentPanel::settingsEdited, this, [this](const AdjustmentSettings& settings) {
     model_->push(std::make_unique<SetAdjustment>(*model_, settings));
   });
@@ -311,10 +316,10 @@ void MainWindow::showDocksOf(Mode mode) {
 }
 
 void MainWindow::lookAtFirst() {
-  const Document& document = model_->document();
+  const Fusion& fusion = model_->fusion();
   const auto look = [&](Viewport* viewport, Side side) {
-    if (document.of(side)) {
-      viewport->aim(firstView(document, side));
+    if (fusion.of(side)) {
+      viewport->aim(firstView(fusion, side));
     }
   };
   look(tiles_->pane(Side::Part), Side::Part);

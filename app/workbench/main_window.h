@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/document/document_model.h"
+#include "app/document/stage_runner.h"
 #include "app/workbench/project_files.h"
 
 class QDockWidget;
@@ -21,12 +22,10 @@ class JobQueue;
 class LoopEditor;
 class PairsPanel;
 class StagesPanel;
-class StageRunner;
 class StartPage;
 class StatusLine;
 class TilesPage;
 class Viewport;
-struct Outcome;
 
 /// The workbench's window: creates its parts, lays them out, connects them.
 class MainWindow : public QMainWindow {
@@ -75,6 +74,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QDockWidget* addDock(const QString& name, const QString& title, QWidget* content);
   void connectDocument();
   void connectPanels();
+  void requestRun(StageRunner::Urgency urgency);
   void showOutcome(const std::shared_ptr<const Outcome>& outcome);
   void showBusy();
   void showTitle();

@@ -33,12 +33,13 @@ Project fromScenario(LoadedScenario loaded) {
                         const std::shared_ptr<const TriangleMesh>& mesh) {
     return std::make_shared<const MeshAsset>(MeshAsset{source.filename().string(), source, report, mesh});
   };
+  Fusion fusion;
+  fusion.inputs = std::move(loaded.scenario.inputs);
+  setAsset(fusion, Side::Part, asset(loaded.scenario.part, loaded.partReport, fusion.inputs.part));
+  setAsset(fusion, Side::Base, asset(loaded.scenario.base, loaded.baseReport, fusion.inputs.base));
+  fusion.closed = true;
   Project project;
-  Document& document = project.document;
-  document.inputs = std::move(loaded.scenario.inputs);
-  document.part = asset(loaded.scenario.part, loaded.partReport, document.inputs.part);
-  document.base = asset(loaded.scenario.base, loaded.baseReport, document.inputs.base);
-  document.closed = true;
+  project.document.fusions = {std::make_shared<const Fusion>(std::move(fusion))};
   return project;
 }
 
@@ -78,7 +79,7 @@ void ProjectFiles::show(Project project, const QString& path, const QString& nam
   path_ = path;
   name_ = name;
   remains_ = std::move(project.remains);
-  model_.reset(std::move(project.document));
+  model_.reset(std::move(project.document), project.shown);
   if (unsaved) {
     model_.history()->resetClean();
   }
@@ -131,7 +132,7 @@ void ProjectFiles::recover(const QString& recoveryPath, const QString& originalP
 }
 
 Project ProjectFiles::snapshot() const {
-  return {model_.committed(), view_.thumbnail(), view_.state(), remains_};
+  return {model_.document(), model_.shown(), view_.thumbnail(), {}, view_.state(), remains_};
 }
 
 void ProjectFiles::save(const QString& path, std::function<void()> then) {

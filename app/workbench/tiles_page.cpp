@@ -100,19 +100,18 @@ void TilesPage::setBusy(std::optional<double> progress) {
 }
 
 void TilesPage::showDocument(Change change, const Touched& touched) {
-  const Document& document = model_.document();
+  const Fusion& fusion = model_.fusion();
   for (const Side side : kSides) {
-    const auto& mesh = side == Side::Part ? document.inputs.part : document.inputs.base;
+    const auto& mesh = side == Side::Part ? fusion.inputs.part : fusion.inputs.base;
     if (mesh && mesh != meshes_[index(side)]) {
-      pane(side)->aim(firstView(document, side));
+      pane(side)->aim(firstView(fusion, side));
     }
     meshes_[index(side)] = mesh;
     pane(side)->setMesh(mesh);
   }
   showTitles();
   showLoop();
-  if (change == Change::History && touched.cv &&
-      *touched.cv < static_cast<int>(document.inputs.loop.size())) {
+  if (change == Change::History && touched.cv && *touched.cv < static_cast<int>(fusion.inputs.loop.size())) {
     for (MeshPane* pane : panes_) {
       pane->flashCV(*touched.cv);
     }
@@ -121,15 +120,14 @@ void TilesPage::showDocument(Change change, const Touched& touched) {
 
 void TilesPage::showTitles() {
   for (const Side side : kSides) {
-    frames_[index(side)]->setTitle(title(model_.document().of(side)));
+    frames_[index(side)]->setTitle(title(model_.fusion().of(side)));
     frames_[index(side)]->setRoleColour(themeFor(palette()).of(side));
   }
 }
 
 void TilesPage::showLoop() {
   for (const Side side : kSides) {
-    SideView view =
-        viewLoop(side, model_.document(), outcome_.get(), editor_.halfPair(), editor_.selection());
+    SideView view = viewLoop(side, model_.fusion(), outcome_.get(), editor_.halfPair(), editor_.selection());
     pane(side)->setMarks(std::move(view.marks));
     PaneFrame* frame = frames_[index(side)];
     remedies_[index(side)] = view.verdict.remedy;

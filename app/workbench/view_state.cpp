@@ -64,10 +64,10 @@ std::string writeViewState(const MainWindow& window) {
 
 void readViewState(const std::string& text, MainWindow& window) {
   const QJsonObject state = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
-  const Document& document = window.model().document();
-  MainWindow::Mode wanted = document.closed                  ? MainWindow::Mode::Fusion
-                            : document.part || document.base ? MainWindow::Mode::Tiles
-                                                             : MainWindow::Mode::Start;
+  const Fusion& fusion = window.model().fusion();
+  MainWindow::Mode wanted = fusion.closed                ? MainWindow::Mode::Fusion
+                            : fusion.part || fusion.base ? MainWindow::Mode::Tiles
+                                                         : MainWindow::Mode::Start;
   for (const auto& [name, mode] : kModes) {
     if (state["mode"].toString() == name) {
       wanted = mode;

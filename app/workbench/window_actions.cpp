@@ -160,19 +160,19 @@ void MainWindow::connectTools() {
   preset("keepBaseSlope", FCF::Preset::KeepBaseSlope);
   preset("half", FCF::Preset::Half);
   tool("runAdjustment", [this] {
-    const Document before = model_->committed();
+    const Fusion before = model_->committed();
     model_->push(std::make_unique<RunAdjustment>(*model_));
     if (model_->committed() == before) {
-      runner_->requestAdjustment(before);
+      runner_->requestAdjustment(model_->document(), model_->shown());
     }
   });
   connect(actions["paperPaths"], &QAction::triggered, this, [this](bool on) {
-    Document after = model_->committed();
+    Fusion after = model_->committed();
     after.inputs.paths = on ? PathMode::Paper : PathMode::Straightened;
     model_->push(std::make_unique<SetPathMode>(*model_, std::move(after)));
   });
   connect(actions["largeTile"], &QAction::triggered, this, [this](bool on) {
-    Document after = model_->committed();
+    Fusion after = model_->committed();
     after.inputs.tile.allowLargeTile = on;
     model_->push(std::make_unique<AllowLargeTile>(*model_, std::move(after)));
   });
@@ -207,28 +207,28 @@ void MainWindow::showUndoTexts() {
 }
 
 void MainWindow::enableActions() {
-  const Document& document = model_->document();
-  const std::size_t pairs = document.inputs.loop.size();
+  const Fusion& fusion = model_->fusion();
+  const std::size_t pairs = fusion.inputs.loop.size();
   const auto enable = [this](const char* name, bool on) { (*actions_)[name]->setEnabled(on); };
   enable("undo", model_->history()->canUndo() || model_->dragging());
   enable("redo", model_->history()->canRedo());
   enable("removePairs", !editor_->selection().isEmpty());
   enable("selectAll", pairs > 0);
   enable("repeat", lastTool_ != nullptr);
-  enable("closeLoop", !document.closed && pairs >= 3);
-  enable("openLoop", document.closed);
+  enable("closeLoop", !fusion.closed && pairs >= 3);
+  enable("openLoop", fusion.closed);
   enable("reverse", pairs >= 2);
   enable("shift", pairs >= 2);
   enable("mirror", pairs >= 3);
   enable("clearLoop", pairs > 0);
-  enable("runAdjustment", document.closed);
+  enable("runAdjustment", fusion.closed);
   const bool fused = fusion_->shown() != nullptr;
-  const bool current = fused && same(fusion_->shown()->inputs, document.inputs);
+  const bool current = fused && same(fusion_->shown()->inputs, fusion.inputs);
   enable("exportResult", current);
   enable("exportPicture", fused);
   enable("cancel", runner_->busy() || jobs_->busy());
-  (*actions_)["paperPaths"]->setChecked(document.inputs.paths == PathMode::Paper);
-  (*actions_)["largeTile"]->setChecked(document.inputs.tile.allowLargeTile);
+  (*actions_)["paperPaths"]->setChecked(fusion.inputs.paths == PathMode::Paper);
+  (*actions_)["largeTile"]->setChecked(fusion.inputs.tile.allowLargeTile);
   for (const char* name : {"nextColouring", "seam", "edges", "wireframe"}) {
     enable(name, mode() == Mode::Fusion);
   }

@@ -106,7 +106,7 @@ void MainWindow::openFile(const QString& path) {
     askUnsaved([this, path] { files_->open(path); });
     return;
   }
-  files_->importMesh(model_->document().part ? Side::Base : Side::Part, path);
+  files_->importMesh(model_->fusion().part ? Side::Base : Side::Part, path);
 }
 
 QFileDialog* MainWindow::fileDialog(const QString& name, const QString& title, const QString& filter) {

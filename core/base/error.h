@@ -25,6 +25,7 @@ enum class ErrorCode {
   LoopPointInvalid,     // barycentric coordinates that are no point of the face
   LoopRepeatsPoint,     // two CVs of one mesh are the same surface point
   LoopPointSingular,    // a CV lies where the mesh is not manifold, or on no face
+  LoopPointMoved,       // a warning: a CV on another fusion's result was found again elsewhere
   // paths
   PathImpossible,  // two neighbouring CVs lie on different components
   PathsCross,      // no simple closed curve goes through the CVs in this order
@@ -44,6 +45,9 @@ enum class ErrorCode {
   CurveEndsWrong,      // first point not at s = 0 or last not at s = 1
   CurveNotIncreasing,  // equal or falling s
   CurveOutOfRange,     // f outside [0, 1], or not finite
+  // document
+  SourcesInCircle,  // a fusion would be made of its own result
+  SourceUnfused,    // a fusion's part or base is the result of one that has none
   // settings and machine
   SettingOutOfRange,
   Cancelled,

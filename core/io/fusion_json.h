@@ -42,9 +42,12 @@ struct Malformed {
 /// A vertex, face or other count from 0 to the greatest Index.
 [[nodiscard]] Index index(const json& value, const std::string& key, const char* expected);
 
+/// Whether a list "cvp" may name points by their places, {"at": [x, y, z], "vertex": true}: those on another
+/// fusion's result, which a project has and a scenario has not.
+enum class Places { Refused, Known };
 /// The list "cvp" of pairs [part's, base's], each a vertex number or {"face": i, "bary": [a, b, c]}. Whether
 /// the meshes have them is not known here. Throws Malformed.
-[[nodiscard]] Loop loop(const json& value);
+[[nodiscard]] Loop loop(const json& value, Places places = Places::Refused);
 [[nodiscard]] Ordered toJson(const Loop& loop);
 
 /// Reads every setting of a fusion that the object has into `inputs`: fcf, monotone, deform_exponent, paths,

@@ -32,8 +32,32 @@ auto oneOf(const json& value, const std::string& key, const Table& table) {
   return found->second;
 }
 
-SurfacePoint surfacePoint(const json& value, const std::string& key, Side side) {
+// A point by its place; its numbers are those of no mesh yet.
+SurfacePoint placedPoint(const json& at, const json& value, const std::string& key) {
+  if (!at.is_array() || at.size() != 3) {
+    malformed(key + ".at", "three numbers [x, y, z]");
+  }
+  Point place = Point::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    place[static_cast<Eigen::Index>(i)] = number(at[i], item(key + ".at", i));
+  }
+  SurfacePoint point;
+  point.place = place;
+  const json* vertex = find(value, "vertex");
+  if (vertex == nullptr || boolean(*vertex, key + ".vertex")) {
+    point.vertex = 0;
+  } else {
+    point.face = 0;
+    point.bary = Eigen::Vector3d::UnitX();
+  }
+  return point;
+}
+
+SurfacePoint surfacePoint(const json& value, const std::string& key, Side side, Places places) {
   const std::string place = std::string(" of the ") + name(side);
+  if (const json* at = value.is_object() && places == Places::Known ? find(value, "at") : nullptr) {
+    return placedPoint(*at, value, key);
+  }
   if (!value.is_object()) {
     const std::string expected =
         "a vertex number" + place + " (a whole number from 0 on) or {\"face\": number, \"bary\": [a, b, c]}";
@@ -213,7 +237,7 @@ json parse(std::string_view text) {
   }
 }
 
-Loop loop(const json& value) {
+Loop loop(const json& value, Places places) {
   if (!value.is_array()) {
     malformed("cvp", "a list of pairs [part vertex, base vertex]");
   }
@@ -225,8 +249,8 @@ Loop loop(const json& value) {
     if (!pair.is_array() || pair.size() != 2) {
       malformed(key, "a pair [part vertex, base vertex]");
     }
-    result.push_back(
-        {surfacePoint(pair[0], item(key, 0), Side::Part), surfacePoint(pair[1], item(key, 1), Side::Base)});
+    result.push_back({surfacePoint(pair[0], item(key, 0), Side::Part, places),
+                      surfacePoint(pair[1], item(key, 1), Side::Base, places)});
   }
   return result;
 }

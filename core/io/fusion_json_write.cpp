@@ -7,6 +7,9 @@ namespace graftsman::fusion_json {
 namespace {
 
 Ordered surfacePoint(const SurfacePoint& point) {
+  if (const auto& at = point.place) {
+    return {{"at", {at->x(), at->y(), at->z()}}, {"vertex", point.vertex >= 0}};
+  }
   if (point.vertex >= 0) {
     return point.vertex;
   }

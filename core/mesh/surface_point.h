@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "core/mesh/triangle_mesh.h"
 
@@ -11,10 +12,17 @@ struct SurfacePoint {
   Index vertex = -1;
   Index face = -1;
   Eigen::Vector3d bary = Eigen::Vector3d::Zero();  // weights of the face's corners: each ≥ 0, sum 1
+  /// On a mesh that is computed: where the point was picked. It is found again there when the mesh changes
+  /// (see attach.h), so that the numbers above count for one state of the mesh only.
+  std::optional<Point> place = {};
 
-  [[nodiscard]] static SurfacePoint atVertex(Index v) { return {v, -1, Eigen::Vector3d::Zero()}; }
+  [[nodiscard]] static SurfacePoint atVertex(Index v) { return {v, -1, Eigen::Vector3d::Zero(), {}}; }
 
+  /// Picked at the same place, where both have one; otherwise the same point of one mesh.
   friend bool operator==(const SurfacePoint& a, const SurfacePoint& b) {
+    if (a.place && b.place) {
+      return *a.place == *b.place && (a.vertex >= 0) == (b.vertex >= 0);
+    }
     return a.vertex == b.vertex && (a.vertex >= 0 || (a.face == b.face && a.bary == b.bary));
   }
 };

@@ -1,38 +1,49 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "core/fusion/update.h"
-#include "core/io/mesh_file.h"
+#include "core/project/fusion.h"
 
 namespace graftsman {
 
-/// A mesh of a document, with where it came from. Immutable and shared: states of a document, undo steps and
-/// variants cost no copy of it.
-struct MeshAsset {
-  std::string name;              // as shown: the file's name at first
-  std::filesystem::path source;  // of the file it was read from; may be gone by now
-  ReadReport report;             // what reading did to it
-  std::shared_ptr<const TriangleMesh> mesh;
+/// The fusions of a document, in the order in which they are listed; each id once. Shared: a state of the
+/// document in which one fusion was edited copies that one alone.
+using FusionList = std::vector<std::shared_ptr<const Fusion>>;
+
+/// Number of a variant of a document, from 1 on, never given twice.
+using VariantId = int;
+
+/// A design alternative: a named state of all fusions. Costs no meshes.
+struct Variant {
+  VariantId id = 1;
+  std::string name;
+  std::string note;
+  bool starred = false;
+  FusionId shown = 1;  // of `fusions`, the one whose result the variant is about
+  FusionList fusions;
+
+  friend bool operator==(const Variant& a, const Variant& b);
 };
+
+using VariantList = std::vector<std::shared_ptr<const Variant>>;
 
 /// Everything that a person edits and a project file keeps. A value, cheap to copy.
 struct Document {
-  std::shared_ptr<const MeshAsset> part;  // null: not loaded yet
-  std::shared_ptr<const MeshAsset> base;
-  bool closed = false;  // the loop is complete: CV n−1 is joined to CV 0. An open loop is not fused
-  FusionInputs inputs;  // `part` and `base` in it are the assets' meshes
+  FusionList fusions = {std::make_shared<const Fusion>()};  // at least one
+  VariantList variants;
 
-  [[nodiscard]] const std::shared_ptr<const MeshAsset>& of(Side side) const {
-    return side == Side::Part ? part : base;
-  }
-  /// The same edit state: equal values, the very same meshes.
   friend bool operator==(const Document& a, const Document& b);
 };
 
-/// Equal values and the very same meshes.
-[[nodiscard]] bool same(const FusionInputs& a, const FusionInputs& b);
+/// The fusion of that id; null if there is none.
+[[nodiscard]] const Fusion* find(const FusionList& fusions, FusionId id);
+/// The variant of that id; null if there is none.
+[[nodiscard]] const Variant* find(const VariantList& variants, VariantId id);
+
+/// The fusions that the result of `id` is made of, in an order in which they can be computed, `id` last.
+/// Precondition: it is there. A fusion that is named but missing is left out.
+[[nodiscard]] std::vector<FusionId> upstreamOf(const FusionList& fusions, FusionId id);
 
 }  // namespace graftsman

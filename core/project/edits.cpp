@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "core/fusion/path_position.h"
+
 namespace graftsman::edits {
 namespace {
 
@@ -12,10 +14,10 @@ const SurfacePoint& pointOf(const CVP& pair, Side side) {
 }
 
 // Error if CV `number` of that side lies nowhere on the mesh, or where another CV is.
-Result<void> checkCV(const Document& document, std::size_t number, Side side) {
-  const Loop& loop = document.inputs.loop;
+Result<void> checkCV(const Fusion& fusion, std::size_t number, Side side) {
+  const Loop& loop = fusion.inputs.loop;
   const SurfacePoint& point = pointOf(loop[number], side);
-  const auto& mesh = side == Side::Part ? document.inputs.part : document.inputs.base;
+  const auto& mesh = side == Side::Part ? fusion.inputs.part : fusion.inputs.base;
   const Index count = !mesh ? 0 : point.vertex >= 0 ? mesh->vertexCount() : mesh->faceCount();
   const Index index = point.vertex >= 0 ? point.vertex : point.face;
   const std::string cv = "CV " + std::to_string(number) + " on the " + name(side);
@@ -36,92 +38,102 @@ Result<void> checkCV(const Document& document, std::size_t number, Side side) {
   return {};
 }
 
+// On a mesh that is computed, the CV is found again by its place.
+void rememberPlace(const Fusion& fusion, Side side, SurfacePoint& point) {
+  point.place.reset();
+  if (fusion.upstream(side) != 0) {
+    point.place = positionOf(*fusion.of(side)->mesh, point);
+  }
+}
+
 }  // namespace
 
-Document loadMesh(Document document, Side side, std::shared_ptr<const MeshAsset> asset) {
-  auto& slot = side == Side::Part ? document.part : document.base;
-  auto& mesh = side == Side::Part ? document.inputs.part : document.inputs.base;
-  if (mesh) {
-    document = clearLoop(std::move(document));
+Fusion loadMesh(Fusion fusion, Side side, std::shared_ptr<const MeshAsset> asset) {
+  if (fusion.of(side)) {
+    fusion = clearLoop(std::move(fusion));
   }
-  mesh = asset ? asset->mesh : nullptr;
-  slot = std::move(asset);
-  return document;
+  setAsset(fusion, side, std::move(asset));
+  return fusion;
 }
 
-Result<Document> insertPair(Document document, std::size_t at, const CVP& pair) {
-  Loop& loop = document.inputs.loop;
+Result<Fusion> insertPair(Fusion fusion, std::size_t at, const CVP& pair) {
+  Loop& loop = fusion.inputs.loop;
   loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(at), pair);
   for (const Side side : {Side::Part, Side::Base}) {
-    if (Result<void> legal = checkCV(document, at, side); !legal) {
+    if (Result<void> legal = checkCV(fusion, at, side); !legal) {
       return fail(std::move(legal.error()));
     }
+    CVP& inserted = loop[at];
+    rememberPlace(fusion, side, side == Side::Part ? inserted.part : inserted.base);
   }
-  return document;
+  return fusion;
 }
 
-Result<Document> moveCV(Document document, std::size_t number, Side side, const SurfacePoint& to) {
-  CVP& pair = document.inputs.loop[number];
-  (side == Side::Part ? pair.part : pair.base) = to;
-  if (Result<void> legal = checkCV(document, number, side); !legal) {
+Result<Fusion> moveCV(Fusion fusion, std::size_t number, Side side, const SurfacePoint& to) {
+  CVP& pair = fusion.inputs.loop[number];
+  SurfacePoint& point = side == Side::Part ? pair.part : pair.base;
+  point = to;
+  point.place.reset();  // of somewhere else
+  if (Result<void> legal = checkCV(fusion, number, side); !legal) {
     return fail(std::move(legal.error()));
   }
-  return document;
+  rememberPlace(fusion, side, point);
+  return fusion;
 }
 
-Document removePairs(Document document, const std::set<int>& numbers) {
-  Loop& loop = document.inputs.loop;
+Fusion removePairs(Fusion fusion, const std::set<int>& numbers) {
+  Loop& loop = fusion.inputs.loop;
   for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {
     loop.erase(loop.begin() + *number);
   }
-  document.closed = document.closed && loop.size() >= 3;
-  return document;
+  fusion.closed = fusion.closed && loop.size() >= 3;
+  return fusion;
 }
 
-Result<Document> closeLoop(Document document) {
-  const std::size_t pairs = document.inputs.loop.size();
+Result<Fusion> closeLoop(Fusion fusion) {
+  const std::size_t pairs = fusion.inputs.loop.size();
   if (pairs < 3) {
     return fail(ErrorCode::LoopTooShort, "The loop has " + std::to_string(pairs) +
                                              (pairs == 1 ? " pair" : " pairs") +
                                              " and needs at least 3: pick more.");
   }
-  document.closed = true;
-  return document;
+  fusion.closed = true;
+  return fusion;
 }
 
-Document openLoop(Document document) {
-  document.closed = false;
-  return document;
+Fusion openLoop(Fusion fusion) {
+  fusion.closed = false;
+  return fusion;
 }
 
-Document reverseLoop(Document document) {
-  Loop& loop = document.inputs.loop;
+Fusion reverseLoop(Fusion fusion) {
+  Loop& loop = fusion.inputs.loop;
   if (!loop.empty()) {
     std::reverse(loop.begin() + 1, loop.end());
   }
-  return document;
+  return fusion;
 }
 
-Document shiftCorrespondence(Document document) {
-  const Loop before = document.inputs.loop;
+Fusion shiftCorrespondence(Fusion fusion) {
+  const Loop before = fusion.inputs.loop;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    document.inputs.loop[(i + 1) % before.size()].part = before[i].part;
+    fusion.inputs.loop[(i + 1) % before.size()].part = before[i].part;
   }
-  return document;
+  return fusion;
 }
 
-Document mirrorCorrespondence(Document document) {
-  const Loop before = document.inputs.loop;
+Fusion mirrorCorrespondence(Fusion fusion) {
+  const Loop before = fusion.inputs.loop;
   for (std::size_t i = 1; i < before.size(); ++i) {
-    document.inputs.loop[i].part = before[before.size() - i].part;
+    fusion.inputs.loop[i].part = before[before.size() - i].part;
   }
-  return document;
+  return fusion;
 }
 
-Document clearLoop(Document document) {
-  document.inputs.loop.clear();
-  document.closed = false;
-  return document;
+Fusion clearLoop(Fusion fusion) {
+  fusion.inputs.loop.clear();
+  fusion.closed = false;
+  return fusion;
 }
 
 }  // namespace graftsman::edits

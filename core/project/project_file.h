@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,7 +18,9 @@ struct ProjectRemains;
 /// A document with what goes with it into its file.
 struct Project {
   Document document;
+  FusionId shown = 1;     // the fusion that is open in the window, and that the command line fuses
   std::string thumbnail;  // PNG bytes; may be empty
+  std::map<VariantId, std::string> variantPictures;  // PNG bytes of those variants that have one
   std::string viewState;  // JSON text of the interface's own (cameras, mode, …); may be empty
   std::shared_ptr<const ProjectRemains> remains;  // null for a new project
 };
@@ -27,15 +30,15 @@ struct LoadedProject {
   Project project;
   /// What was damaged and left out, one Error for each entry; the rest of the project is whole.
   std::vector<Error> damage;
-  /// All that makes the result (meshes, loop, settings, curve) is as it was saved: no damage concerns it.
+  /// All that makes results (meshes, loops, settings, curves) is as it was saved: no damage concerns it.
   bool fusionIntact = true;
 };
 
 /// Writes a .graft file (DESIGN.md §5): a zip whose first entry, uncompressed, is `mimetype`
 /// ("application/x-graftsman"), then document.json (format version, least version of a reader, required
-/// features), meshes/*.mesh (binary, little-endian, with checksums), thumbnail.png, view.json. The same
-/// Project gives the same bytes. Atomic: writes beside, flushes, renames; killed at any moment the file is
-/// the old or the new one, whole. Errors: FileUnwritable, Cancelled, OutOfMemory.
+/// features), meshes/*.mesh (binary, little-endian, with checksums), thumbnail.png, variants/*.png,
+/// view.json. The same Project gives the same bytes. Atomic: writes beside, flushes, renames; killed at any
+/// moment the file is the old or the new one, whole. Errors: FileUnwritable, Cancelled, OutOfMemory.
 [[nodiscard]] Result<void> writeProject(const std::filesystem::path& path, const Project& project,
                                         const Progress& progress);
 

@@ -9,6 +9,7 @@
 #include "core/io/fusion_json.h"
 #include "core/io/printable.h"
 #include "core/io/read_file.h"
+#include "core/project/document_read.h"
 #include "core/project/project_mesh.h"
 #include "core/project/project_parse.h"
 #include "core/project/project_remains.h"
@@ -26,12 +27,6 @@ constexpr std::size_t kLongestPath = 400;   // bytes in a message
 
 std::string inQuotes(const std::string& text) {
   return "\"" + printable(text, kLongestPath) + "\"";
-}
-
-// A text that is missing or something else costs nobody anything.
-std::string textOr(const json& object, const char* key, const std::string& fallback) {
-  const json* value = find(object, key);
-  return value != nullptr && value->is_string() ? value->get<std::string>() : fallback;
 }
 
 unsigned version(const json& document, const char* key) {
@@ -54,10 +49,11 @@ std::string needed(const json& document) {
     why = "its format is " + std::to_string(reader) + ", and this program reads " +
           std::to_string(project_keys::kReader);
   }
-  // Format 1 has no feature that a reader could lack.
   for (const json& feature : list(document, "required_features")) {
-    why += (why.empty() ? "" : "; ") + std::string("it uses ") +
-           inQuotes(string(feature, "required_features", "a list of names"));
+    const std::string wanted = string(feature, "required_features", "a list of names");
+    if (wanted != project_keys::kResultsFeature) {
+      why += (why.empty() ? "" : "; ") + std::string("it uses ") + inQuotes(wanted);
+    }
   }
   return why;
 }
@@ -82,10 +78,11 @@ class ProjectReader {
         return malformedFile("cannot be understood: its document.json is no JSON object.");
       }
       if (const std::string why = needed(document); !why.empty()) {
-        return fail(ErrorCode::ProjectTooNew,
-                    name_ + ": needs a newer version of this program: " + why + ". It was saved by " +
-                        printable(textOr(document, "written_by", "a newer Graftsman"), kLongestPath) +
-                        "; open it with that. The file was left as it is.");
+        return fail(
+            ErrorCode::ProjectTooNew,
+            name_ + ": needs a newer version of this program: " + why + ". It was saved by " +
+                printable(DocumentReader::textOr(document, "written_by", "a newer Graftsman"), kLongestPath) +
+                "; open it with that. The file was left as it is.");
       }
       version(document, "format_version");
       readDocument(document);
@@ -119,67 +116,18 @@ class ProjectReader {
     if (fusions.empty()) {
       return;
     }
-    const json& fusion = fusions.front();
-    if (!fusion.is_object()) {
-      loseOfFusion({ErrorCode::FileMalformed,
-                    "The project's fusion cannot be understood, so it starts anew. Load the meshes again."});
-      return;
-    }
+    const DocumentReader reader(
+        [&](Side side, const json& fusion, const Progress& progress) {
+          return asset(side, fusion, meshes, progress);
+        },
+        [this](Error error, bool ofResult) {
+          ofResult ? loseOfFusion(std::move(error)) : lose(std::move(error));
+        });
     Document& read = loaded_.project.document;
-    const double half = kMeshesShare / 2;
-    read.part = asset(Side::Part, fusion, meshes, progress_.span(0, half));
-    read.base = asset(Side::Base, fusion, meshes, progress_.span(half, kMeshesShare));
-    read.inputs.part = read.part ? read.part->mesh : nullptr;
-    read.inputs.base = read.base ? read.base->mesh : nullptr;
-    readInputs(fusion);
-  }
-
-  void readInputs(const json& fusion) {
-    Document& read = loaded_.project.document;
-    const auto complain = [&](const Malformed& wrong) {
-      loseOfFusion({wrong.code == ErrorCode::ScenarioMalformed ? ErrorCode::FileMalformed : wrong.code,
-                    "In the project's document.json " + wrong.what +
-                        " The default was taken instead; look at it before you save."});
-    };
-    readSettings(fusion, read.inputs, complain);
-    try {
-      read.inputs.loop = loop(demand(fusion, "cvp", "a list of pairs"));
-      read.closed = boolean(demand(fusion, "closed", "true or false"), "closed");
-    } catch (const Malformed& wrong) {
-      complain(wrong);
-    }
-    dropUnknownPoints();
-    constexpr std::size_t kShortestLoop = 3;
-    read.closed = read.closed && read.inputs.loop.size() >= kShortestLoop;
-  }
-
-  // Takes out the pairs that name what their meshes do not have.
-  void dropUnknownPoints() {
-    FusionInputs& inputs = loaded_.project.document.inputs;
-    const auto knows = [](const std::shared_ptr<const TriangleMesh>& mesh, const SurfacePoint& point) {
-      return !mesh ||
-             (point.vertex >= 0 ? point.vertex < mesh->vertexCount() : point.face < mesh->faceCount());
-    };
-    Loop kept;
-    std::vector<int> lost;
-    std::string numbers;
-    for (std::size_t i = 0; i < inputs.loop.size(); ++i) {
-      const CVP& pair = inputs.loop[i];
-      if (knows(inputs.part, pair.part) && knows(inputs.base, pair.base)) {
-        kept.push_back(pair);
-      } else {
-        lost.push_back(static_cast<int>(i));
-        numbers += (numbers.empty() ? "" : ", ") + std::to_string(i);
-      }
-    }
-    if (!lost.empty()) {
-      loseOfFusion({ErrorCode::LoopIndexOutOfRange,
-                    "The loop named vertices or faces that its meshes do not have; these pairs were left "
-                    "out: " +
-                        printable(numbers, kLongestPath) + ". Insert them again.",
-                    {},
-                    std::move(lost)});
-      inputs.loop = std::move(kept);
+    read.fusions = reader.fusions(fusions, progress_.span(0, kMeshesShare));
+    loaded_.project.shown = DocumentReader::shown(document, read.fusions);
+    if (const json* variants = find(document, "variants")) {
+      read.variants = reader.variants(*variants);
     }
   }
 
@@ -189,6 +137,11 @@ class ProjectReader {
     const json* reference = find(fusion, name(side));
     if (reference == nullptr || reference->is_null()) {
       return nullptr;
+    }
+    if (reference->is_object()) {
+      MeshAsset result;  // its name comes when all fusions are known
+      result.result = DocumentReader::id(*reference, "result", std::numeric_limits<int>::max());
+      return std::make_shared<const MeshAsset>(std::move(result));
     }
     std::string lost = "mesh";
     std::string remedy = "Load it again";
@@ -201,8 +154,8 @@ class ProjectReader {
       auto read = std::make_shared<MeshAsset>();
       const std::string entry = string(demand(record, "entry", "a name"), "entry", "a name");
       consumed_.insert(entry);
-      read->name = textOr(record, "name", entry);
-      const std::string source = textOr(record, "source", "");
+      read->name = DocumentReader::textOr(record, "name", entry);
+      const std::string source = DocumentReader::textOr(record, "source", "");
       read->source = source;
       lost += " " + inQuotes(read->name) + " (" + printable(entry) + ")";
       remedy += source.empty() ? "" : ": it was read from " + printable(source, kLongestPath);
@@ -288,6 +241,13 @@ class ProjectReader {
       }
     };
     read(project_keys::kThumbnailEntry, "The project's small picture", loaded_.project.thumbnail);
+    for (const auto& variant : loaded_.project.document.variants) {
+      std::string picture;
+      read(project_keys::variantPictureEntry(variant->id).c_str(), "A variant's picture", picture);
+      if (!picture.empty()) {
+        loaded_.project.variantPictures[variant->id] = std::move(picture);
+      }
+    }
     read(project_keys::kViewEntry, "The state of the views", loaded_.project.viewState);
   }
 

@@ -16,10 +16,17 @@ inline constexpr const char* kMimetype = "application/x-graftsman";
 inline constexpr const char* kDocumentEntry = "document.json";
 inline constexpr const char* kThumbnailEntry = "thumbnail.png";
 inline constexpr const char* kViewEntry = "view.json";
+/// A fusion's part or base is another one's result. Required of a reader where it occurs.
+inline constexpr const char* kResultsFeature = "results-as-meshes";
+
+/// The entry of a variant's picture.
+[[nodiscard]] inline std::string variantPictureEntry(int id) {
+  return "variants/" + std::to_string(id) + ".png";
+}
 
 /// What this program writes, and the newest that it understands. A change that an older program may ignore
 /// without harm raises the first alone.
-inline constexpr unsigned kFormat = 1;
+inline constexpr unsigned kFormat = 2;
 inline constexpr unsigned kReader = 1;
 }  // namespace project_keys
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <list>
+#include <map>
 #include <new>
 #include <set>
 #include <utility>
@@ -41,8 +42,10 @@ void carryLoop(json& now, const json& old) {
     for (std::size_t side = 0; side < 2 && old[i].is_array() && old[i].size() == 2; ++side) {
       json& point = now[i][side];
       const json& before = old[i][side];
-      if (point.is_object() && before.is_object() && before.value("face", json()) == point["face"] &&
-          before.value("bary", json()) == point["bary"]) {
+      const auto alike = [&](const char* key) {
+        return before.value(key, json()) == point.value(key, json());
+      };
+      if (point.is_object() && before.is_object() && alike("face") && alike("bary") && alike("at")) {
         carry(point, before);
       }
     }
@@ -76,6 +79,11 @@ class ProjectWriter {
     }
     if (!project_.thumbnail.empty()) {
       added = added ? add(project_keys::kThumbnailEntry, project_.thumbnail, Packing::Stored) : added;
+    }
+    for (const auto& [id, picture] : project_.variantPictures) {
+      if (find(project_.document.variants, id) != nullptr) {
+        added = added ? add(project_keys::variantPictureEntry(id), picture, Packing::Stored) : added;
+      }
     }
     if (!project_.viewState.empty()) {
       added = added ? add(project_keys::kViewEntry, project_.viewState, Packing::Deflated) : added;
@@ -114,28 +122,75 @@ class ProjectWriter {
   std::string documentText() {
     const Document& document = project_.document;
     json meshes = json::array();
-    json fusion = fusionOf(document);
-    const json part = numberOf(document.part, meshes);
-    const json base = document.base == document.part ? part : numberOf(document.base, meshes);
-    fusion["part"] = part;
-    fusion["base"] = base;
+    json fusions = listOf(document.fusions, meshes, old("fusions"));
+    json variants = json::array();
+    for (const auto& variant : document.variants) {
+      variants.push_back(variantOf(*variant, meshes));
+    }
     for (const json& record : remains_.otherMeshes) {
       meshes.push_back(record);
     }
-    json fusions = json::array();
-    const json* old = remains_.document.is_object() ? find(remains_.document, "fusions") : nullptr;
-    if (old != nullptr && old->is_array() && !old->empty()) {
-      fusions = *old;
-      carryFusion(fusion, fusions.front());
-      fusions.front() = std::move(fusion);
-    } else {
-      fusions.push_back(std::move(fusion));
+    json features = json::array();
+    if (usesResults_) {
+      features.push_back(project_keys::kResultsFeature);
     }
-    json text = {{"format_version", format()},         {"minimum_reader_version", project_keys::kReader},
-                 {"required_features", json::array()}, {"written_by", "Graftsman " GRAFTSMAN_VERSION},
-                 {"meshes", std::move(meshes)},        {"fusions", std::move(fusions)}};
+    json text = {{"format_version", format()},
+                 {"minimum_reader_version", project_keys::kReader},
+                 {"required_features", std::move(features)},
+                 {"written_by", "Graftsman " GRAFTSMAN_VERSION},
+                 {"meshes", std::move(meshes)},
+                 {"shown", project_.shown},
+                 {"fusions", std::move(fusions)},
+                 {"variants", std::move(variants)}};
     carry(text, remains_.document);
     return text.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  }
+
+  // The list of that key in the document that was read; null without one.
+  [[nodiscard]] const json* old(const char* key) const {
+    const json* list = remains_.document.is_object() ? find(remains_.document, key) : nullptr;
+    return list != nullptr && list->is_array() ? list : nullptr;
+  }
+
+  // The list's object of that id; null without one.
+  static const json* withId(const json* list, int id) {
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+      const json& one = (*list)[i];
+      if (one.is_object() && one.value("id", json(i + 1)) == json(id)) {
+        return &one;
+      }
+    }
+    return nullptr;
+  }
+
+  json listOf(const FusionList& fusions, json& meshes, const json* before) {
+    json list = json::array();
+    for (const auto& one : fusions) {
+      json fusion = fusionOf(*one);
+      const json part = sourceOf(one->part, meshes);
+      fusion["part"] = part;
+      fusion["base"] = one->base == one->part ? part : sourceOf(one->base, meshes);
+      if (const json* known = withId(before, one->id)) {
+        carryFusion(fusion, *known);
+      }
+      list.push_back(std::move(fusion));
+    }
+    return list;
+  }
+
+  json variantOf(const Variant& variant, json& meshes) {
+    const json* before = withId(old("variants"), variant.id);
+    const json* fusionsBefore = before != nullptr ? find(*before, "fusions") : nullptr;
+    if (fusionsBefore != nullptr && !fusionsBefore->is_array()) {
+      fusionsBefore = nullptr;
+    }
+    json written = {{"id", variant.id},       {"name", variant.name},
+                    {"note", variant.note},   {"starred", variant.starred},
+                    {"shown", variant.shown}, {"fusions", listOf(variant.fusions, meshes, fusionsBefore)}};
+    if (before != nullptr) {
+      carry(written, *before);
+    }
+    return written;
   }
 
   // What a newer program added is written again, so the file keeps that program's number.
@@ -144,11 +199,13 @@ class ProjectWriter {
                     remains_.document.is_object() ? remains_.document.value("format_version", 0U) : 0U);
   }
 
-  static json fusionOf(const Document& document) {
-    Ordered fusion;
-    writeInputs(fusion, document.inputs);
-    fusion["closed"] = document.closed;
-    return fusion;
+  static json fusionOf(const Fusion& fusion) {
+    Ordered written;
+    written["id"] = fusion.id;
+    written["name"] = fusion.name;
+    writeInputs(written, fusion.inputs);
+    written["closed"] = fusion.closed;
+    return written;
   }
 
   static void carryFusion(json& now, const json& old) {
@@ -158,10 +215,19 @@ class ProjectWriter {
     }
   }
 
-  // The number of the mesh's record, which is put into `meshes`; null without a mesh.
-  json numberOf(const std::shared_ptr<const MeshAsset>& asset, json& meshes) {
-    if (!asset || !asset->mesh) {
-      return nullptr;
+  // A fusion's part or base: a mesh's number, {"result": a fusion's id}, or null.
+  json sourceOf(const std::shared_ptr<const MeshAsset>& asset, json& meshes) {
+    if (asset && asset->result != 0) {
+      usesResults_ = true;
+      return {{"result", asset->result}};
+    }
+    return asset && asset->mesh ? json(numberOf(asset, meshes)) : json();
+  }
+
+  // The number of the mesh's record, which is put into `meshes` where it is not yet.
+  std::uint64_t numberOf(const std::shared_ptr<const MeshAsset>& asset, json& meshes) {
+    if (const auto written = numbers_.find(asset.get()); written != numbers_.end()) {
+      return written->second;
     }
     const auto known = std::find_if(remains_.known.begin(), remains_.known.end(),
                                     [&](const auto& one) { return one.asset.lock() == asset; });
@@ -183,6 +249,7 @@ class ProjectWriter {
       carry(record, known->record);
     }
     meshes.push_back(std::move(record));
+    numbers_[asset.get()] = id;
     return id;
   }
 
@@ -204,8 +271,10 @@ class ProjectWriter {
   const std::shared_ptr<const ProjectRemains> kept_;
   const ProjectRemains& remains_;
   ZipWriter zip_;
-  std::set<std::string> names_;      // of entries that are taken
-  std::set<std::uint64_t> usedIds_;  // of meshes
+  std::set<std::string> names_;                        // of entries that are taken
+  std::set<std::uint64_t> usedIds_;                    // of meshes
+  std::map<const MeshAsset*, std::uint64_t> numbers_;  // of meshes that are written
+  bool usesResults_ = false;
   std::list<MeshOfFile> entries_;
 };
 

@@ -11,63 +11,63 @@ class DocumentModelTest : public QObject {
  private Q_SLOTS:
   void anEditIsOneStepWithATextThatAPersonUnderstands() {
     DocumentModel model;
-    model.reset(samples::document("fig4c_cone_sphere"));
-    const Document before = model.document();
-    const Document after = *edits::moveCV(before, 3, Side::Base, SurfacePoint::atVertex(11));
+    model.reset(samples::fusion("fig4c_cone_sphere"));
+    const Fusion before = model.fusion();
+    const Fusion after = *edits::moveCV(before, 3, Side::Base, SurfacePoint::atVertex(11));
     model.push(std::make_unique<MoveCVP>(model, after, 3, Side::Base));
     QCOMPARE(model.history()->undoText(), QString("Move CV 3 on the base"));
-    QVERIFY(model.document() == after);
+    QVERIFY(model.fusion() == after);
     model.history()->undo();
-    QVERIFY(model.document() == before);
+    QVERIFY(model.fusion() == before);
     model.history()->redo();
-    QVERIFY(model.document() == after);
+    QVERIFY(model.fusion() == after);
   }
 
   void anEditThatChangesNothingLeavesNoStep() {
     DocumentModel model;
-    model.reset(samples::document("fig4c_cone_sphere"));
+    model.reset(samples::fusion("fig4c_cone_sphere"));
     model.push(std::make_unique<SetAdjustment>(model, model.committed().inputs.adjustment));
     QCOMPARE(model.history()->count(), 0);
   }
 
   void aDragIsOneStepAndTwoDragsAreTwo() {
     DocumentModel model;
-    model.reset(samples::document("fig4c_cone_sphere"));
-    const Document start = model.document();
+    model.reset(samples::fusion("fig4c_cone_sphere"));
+    const Fusion start = model.fusion();
     for (int drag = 0; drag < 2; ++drag) {
       for (int i = 0; i < 10; ++i) {
-        Document moved = model.committed();
+        Fusion moved = model.committed();
         moved.inputs.loop[2].base.vertex = 20 + 10 * drag + i;
         model.drag(moved);
-        QVERIFY(model.document() == moved);
+        QVERIFY(model.fusion() == moved);
       }
-      model.push(std::make_unique<MoveCVP>(model, model.document(), 2, Side::Base));
+      model.push(std::make_unique<MoveCVP>(model, model.fusion(), 2, Side::Base));
       QVERIFY(!model.dragging());
     }
     QCOMPARE(model.history()->count(), 2);
     model.history()->undo();
-    QCOMPARE(model.document().inputs.loop[2].base.vertex, 29);
+    QCOMPARE(model.fusion().inputs.loop[2].base.vertex, 29);
     model.history()->undo();
-    QVERIFY(model.document() == start);
+    QVERIFY(model.fusion() == start);
   }
 
   void aCancelledDragLeavesNoTraceNotEvenInRedo() {
     DocumentModel model;
-    model.reset(samples::document("fig4c_cone_sphere"));
+    model.reset(samples::fusion("fig4c_cone_sphere"));
     model.push(std::make_unique<SetFCFPreset>(model, FCF::Preset::Half));
     model.history()->undo();
-    const Document before = model.document();
-    Document moved = before;
+    const Fusion before = model.fusion();
+    Fusion moved = before;
     moved.inputs.loop[2].base.vertex = 20;
     model.drag(moved);
     model.cancelDrag();
-    QVERIFY(model.document() == before);
+    QVERIFY(model.fusion() == before);
     QVERIFY(model.history()->canRedo());
   }
 
   void historyTellsWhatItTouched() {
     DocumentModel model;
-    model.reset(samples::document("fig4c_cone_sphere"));
+    model.reset(samples::fusion("fig4c_cone_sphere"));
     model.push(std::make_unique<MoveCVP>(
         model, *edits::moveCV(model.committed(), 3, Side::Base, SurfacePoint::atVertex(11)), 3, Side::Base));
     std::optional<int> touched;
@@ -82,35 +82,35 @@ class DocumentModelTest : public QObject {
   void hundredsOfRandomEditsUndoAndRedoToEqualInputs() {
     std::mt19937 random(20'261'124);
     DocumentModel model;
-    model.reset(samples::document("fig4c_cone_sphere"));
-    std::vector<Document> states = {model.document()};
+    model.reset(samples::fusion("fig4c_cone_sphere"));
+    std::vector<Fusion> states = {model.fusion()};
     while (model.history()->count() < 300) {
       randomEdit(model, random);
-      states.resize(static_cast<std::size_t>(model.history()->index()) + 1, model.document());
+      states.resize(static_cast<std::size_t>(model.history()->index()) + 1, model.fusion());
     }
     for (int i = static_cast<int>(states.size()) - 1; i >= 0; --i) {
       model.history()->setIndex(i);
-      QVERIFY(model.document() == states[static_cast<std::size_t>(i)]);
+      QVERIFY(model.fusion() == states[static_cast<std::size_t>(i)]);
     }
     for (int i = 0; i < 1000; ++i) {
       const auto to = static_cast<int>(random() % states.size());
       model.history()->setIndex(to);
-      QVERIFY(model.document() == states[static_cast<std::size_t>(to)]);
+      QVERIFY(model.fusion() == states[static_cast<std::size_t>(to)]);
     }
   }
 
   void undoRestoresAnEqualResult() {
     std::mt19937 random(7);
     DocumentModel model;
-    model.reset(samples::document("fig4c_cone_sphere"));
-    const FusionResults first = update(model.document().inputs, {}, {});
+    model.reset(samples::fusion("fig4c_cone_sphere"));
+    const FusionResults first = update(model.fusion().inputs, {}, {});
     FusionResults now = first;
     for (int i = 0; i < 40; ++i) {
       randomEdit(model, random);
-      now = update(model.document().inputs, now, {});
+      now = update(model.fusion().inputs, now, {});
     }
     model.history()->setIndex(0);
-    now = update(model.document().inputs, now, {});
+    now = update(model.fusion().inputs, now, {});
     QVERIFY(now.fused && now.fused->points == first.fused->points);
     QVERIFY(now.fused->faces() == first.fused->faces());
   }

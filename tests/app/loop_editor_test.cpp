@@ -16,17 +16,17 @@ class LoopEditorTest : public QObject {
     LoopEditor editor{model};
     std::vector<Error> refused;
 
-    explicit Editing(Document document) {
-      model.reset(std::move(document));
+    explicit Editing(Fusion fusion) {
+      model.reset(std::move(fusion));
       connect(&editor, &LoopEditor::refused, &model,
               [this](const Error& error) { refused.push_back(error); });
     }
-    [[nodiscard]] const Loop& loop() const { return model.document().inputs.loop; }
+    [[nodiscard]] const Loop& loop() const { return model.fusion().inputs.loop; }
   };
-  static Document open(const std::string& name) {
-    Document document = samples::document(name);
-    document.closed = false;
-    return document;
+  static Fusion open(const std::string& name) {
+    Fusion fusion = samples::fusion(name);
+    fusion.closed = false;
+    return fusion;
   }
   static SurfacePoint at(Index v) { return SurfacePoint::atVertex(v); }
 
@@ -59,14 +59,14 @@ class LoopEditorTest : public QObject {
 
   void aPickThatWasADoubleClickIsTakenBack() {
     Editing e(open("fig4c_cone_sphere"));
-    const Document before = e.model.document();
+    const Fusion before = e.model.fusion();
     e.editor.pick(Side::Part, at(1));
     e.editor.takeBackPick();
     QVERIFY(!e.editor.halfPair());
     e.editor.pick(Side::Part, at(1));
     e.editor.pick(Side::Base, at(2));
     e.editor.takeBackPick();
-    QVERIFY(e.model.document() == before);
+    QVERIFY(e.model.fusion() == before);
     QVERIFY(e.editor.halfPair() && e.editor.halfPair()->at == at(1));
     e.editor.takeBackPick();
     QVERIFY(e.editor.halfPair());
@@ -75,13 +75,13 @@ class LoopEditorTest : public QObject {
   void aClickOnTheFirstCVClosesTheLoop() {
     Editing e(open("fig4c_cone_sphere"));
     e.editor.clickCV(0);
-    QVERIFY(e.model.document().closed);
+    QVERIFY(e.model.fusion().closed);
     e.editor.clickCV(0);
     QCOMPARE(e.editor.selection(), QSet<int>{0});
   }
 
   void aClosedLoopTakesNoMorePairsAtItsEnd() {
-    Editing e(samples::document("fig4c_cone_sphere"));
+    Editing e(samples::fusion("fig4c_cone_sphere"));
     e.editor.pick(Side::Part, at(1));
     QCOMPARE(e.refused.size(), std::size_t{1});
     QVERIFY(!e.editor.halfPair());
@@ -92,12 +92,12 @@ class LoopEditorTest : public QObject {
     e.editor.remove({0, 1, 2, 3, 4, 5});
     e.editor.close();
     QCOMPARE(e.refused.back().code, ErrorCode::LoopTooShort);
-    QVERIFY(!e.model.document().closed);
+    QVERIFY(!e.model.fusion().closed);
   }
 
   void aDragIsOneStepAndKeepsOffOtherCVs() {
-    Editing e(samples::document("fig4c_cone_sphere"));
-    const Document before = e.model.document();
+    Editing e(samples::fusion("fig4c_cone_sphere"));
+    const Fusion before = e.model.fusion();
     e.editor.startDrag(Side::Base, 1);
     e.editor.dragTo(Side::Base, 1, at(5));
     QVERIFY(e.loop()[1].base == at(5));
@@ -106,40 +106,40 @@ class LoopEditorTest : public QObject {
     e.editor.finishDrag();
     QCOMPARE(e.model.history()->count(), 1);
     e.model.history()->undo();
-    QVERIFY(e.model.document() == before);
+    QVERIFY(e.model.fusion() == before);
   }
 
   void anUndoInTheMiddleOfADragEndsIt() {
-    Editing e(samples::document("fig4c_cone_sphere"));
-    const Document before = e.model.document();
+    Editing e(samples::fusion("fig4c_cone_sphere"));
+    const Fusion before = e.model.fusion();
     e.editor.reverse();
     e.editor.startDrag(Side::Base, 1);
     e.editor.dragTo(Side::Base, 1, at(5));
     e.model.history()->undo();
     e.editor.dragTo(Side::Base, 1, at(6));
     e.editor.finishDrag();
-    QVERIFY(e.model.document() == before);
+    QVERIFY(e.model.fusion() == before);
   }
 
   void aPairIsInsertedOnEveryPathWithItsPartnerAsFarAlong() {
     for (const std::string& name : samples::kScenarios) {
-      const Document document = samples::document(name);
+      const Fusion fusion = samples::fusion(name);
       Outcome outcome;
-      outcome.document = document;
-      outcome.results = std::make_shared<const FusionResults>(update(document.inputs, {}, {}));
+      outcome.fusion = fusion;
+      outcome.results = std::make_shared<const FusionResults>(update(fusion.inputs, {}, {}));
       const auto& paths = outcome.results->part.paths->paths;
       for (std::size_t i = 0; i < paths.size(); ++i) {
         const auto there =
-            pointAlong(*paths[i], *outcome.results->part.anchored, document.inputs.part->vertexCount(), 0.5);
+            pointAlong(*paths[i], *outcome.results->part.anchored, fusion.inputs.part->vertexCount(), 0.5);
         if (!there) {
           continue;
         }
-        Editing e(document);
+        Editing e(fusion);
         e.editor.insertOnPath(Side::Part, static_cast<int>(i), *there, &outcome);
         QVERIFY2(e.refused.empty(), e.refused.empty() ? "" : e.refused.front().message.c_str());
-        QCOMPARE(e.loop().size(), document.inputs.loop.size() + 1);
+        QCOMPARE(e.loop().size(), fusion.inputs.loop.size() + 1);
         QVERIFY(e.loop()[i + 1].part == *there);
-        QVERIFY(e.loop()[i] == document.inputs.loop[i]);
+        QVERIFY(e.loop()[i] == fusion.inputs.loop[i]);
         QCOMPARE(e.editor.selection(), QSet<int>{static_cast<int>(i) + 1});
       }
     }

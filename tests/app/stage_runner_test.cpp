@@ -23,6 +23,9 @@ class StageRunnerTest : public QObject {
       connect(&runner, &StageRunner::finished, &runner,
               [this](const std::shared_ptr<const Outcome>& outcome) { told.push_back(outcome); });
     }
+    void request(const Fusion& fusion, StageRunner::Urgency urgency) {
+      runner.request(samples::documentOf(fusion), fusion.id, urgency);
+    }
     // The last outcome, once the runner is idle; null: there was none.
     std::shared_ptr<const Outcome> settle() {
       if (!QTest::qWaitFor([this] { return !runner.busy(); }, kPatienceMs) || told.empty()) {
@@ -35,31 +38,31 @@ class StageRunnerTest : public QObject {
  private Q_SLOTS:
   void aClosedLoopGivesWhatUpdateGives() {
     Run run;
-    const Document document = samples::document("fig4c_cone_sphere");
-    run.runner.request(document, StageRunner::Urgency::Edit);
+    const Fusion fusion = samples::fusion("fig4c_cone_sphere");
+    run.request(fusion, StageRunner::Urgency::Edit);
     QVERIFY(run.runner.busy());
     const auto outcome = run.settle();
     QVERIFY(outcome && outcome->results && outcome->results->fused);
-    QVERIFY(outcome->results->fused->points == update(document.inputs, {}, {}).fused->points);
-    QVERIFY(outcome->document == document);
+    QVERIFY(outcome->results->fused->points == update(fusion.inputs, {}, {}).fused->points);
+    QVERIFY(outcome->fusion == fusion);
   }
 
   void anOpenLoopGivesItsPaths() {
     Run run;
-    Document document = samples::document("fig8b_cone_nose");
-    document.closed = false;
-    run.runner.request(document, StageRunner::Urgency::Edit);
+    Fusion fusion = samples::fusion("fig8b_cone_nose");
+    fusion.closed = false;
+    run.request(fusion, StageRunner::Urgency::Edit);
     const auto outcome = run.settle();
     QVERIFY(outcome && !outcome->results);
-    QCOMPARE(outcome->openBase->paths.size(), document.inputs.loop.size() - 1);
+    QCOMPARE(outcome->openBase->paths.size(), fusion.inputs.loop.size() - 1);
     QVERIFY(!outcome->openBase->error);
   }
 
   void aLoopThatFailsOnOneMeshKeepsWhatTheOtherHas() {
     Run run;
-    Document document = samples::document("fig8b_cone_nose");
-    document.inputs.loop[1].base = document.inputs.loop[2].base;
-    run.runner.request(document, StageRunner::Urgency::Edit);
+    Fusion fusion = samples::fusion("fig8b_cone_nose");
+    fusion.inputs.loop[1].base = fusion.inputs.loop[2].base;
+    run.request(fusion, StageRunner::Urgency::Edit);
     const auto outcome = run.settle();
     QVERIFY(outcome && outcome->results && outcome->results->error);
     QCOMPARE(outcome->results->error->code, ErrorCode::LoopRepeatsPoint);
@@ -70,51 +73,51 @@ class StageRunnerTest : public QObject {
 
   void theNewestInputsWin() {
     Run run;
-    Document document = samples::document("fig9b_bird_plane");
+    Fusion fusion = samples::fusion("fig9b_bird_plane");
     for (int i = 0; i < 20; ++i) {
-      document.inputs.adjustment.falloff = 3 + i;
-      run.runner.request(document, StageRunner::Urgency::Edit);
+      fusion.inputs.adjustment.falloff = 3 + i;
+      run.request(fusion, StageRunner::Urgency::Edit);
     }
     const auto outcome = run.settle();
-    QVERIFY(outcome && outcome->document == document);
-    QVERIFY(outcome->results->fused->points == update(document.inputs, {}, {}).fused->points);
+    QVERIFY(outcome && outcome->fusion == fusion);
+    QVERIFY(outcome->results->fused->points == update(fusion.inputs, {}, {}).fused->points);
     QVERIFY(run.told.size() < 20);
   }
 
   void aDragIsSeenOnItsWay() {
     Run run;
-    Document document = samples::document("fig9b_bird_plane");
+    Fusion fusion = samples::fusion("fig9b_bird_plane");
     QSignalSpy finished(&run.runner, &StageRunner::finished);
     for (int i = 0; i < 5; ++i) {
-      document.inputs.adjustment.falloff = 3 + i;
-      run.runner.request(document, StageRunner::Urgency::Drag);
+      fusion.inputs.adjustment.falloff = 3 + i;
+      run.request(fusion, StageRunner::Urgency::Drag);
       // The next move comes before this one is done.
-      document.inputs.adjustment.falloff = 3.5 + i;
-      run.runner.request(document, StageRunner::Urgency::Drag);
+      fusion.inputs.adjustment.falloff = 3.5 + i;
+      run.request(fusion, StageRunner::Urgency::Drag);
       QVERIFY(finished.wait(kPatienceMs));
     }
-    QVERIFY(run.settle()->document == document);
+    QVERIFY(run.settle()->fusion == fusion);
   }
 
   void anEditOfTheCurveNeverCancelsARun() {
     Run run;
-    Document document = samples::document("fig8b_cone_nose");
-    run.runner.request(document, StageRunner::Urgency::Edit);
-    document.inputs.fcf = FCF::preset(FCF::Preset::Half);
-    run.runner.request(document, StageRunner::Urgency::Edit);
+    Fusion fusion = samples::fusion("fig8b_cone_nose");
+    run.request(fusion, StageRunner::Urgency::Edit);
+    fusion.inputs.fcf = FCF::preset(FCF::Preset::Half);
+    run.request(fusion, StageRunner::Urgency::Edit);
     const auto outcome = run.settle();
-    QVERIFY(outcome && outcome->document == document);
+    QVERIFY(outcome && outcome->fusion == fusion);
     QVERIFY(!outcome->cancelled);
   }
 
   void cancelLeavesEverythingUsable() {
     Run run;
-    const Document document = samples::document("fig9b_bird_plane");
-    run.runner.request(document, StageRunner::Urgency::Edit);
+    const Fusion fusion = samples::fusion("fig9b_bird_plane");
+    run.request(fusion, StageRunner::Urgency::Edit);
     run.runner.cancel();
     auto outcome = run.settle();
     QVERIFY(outcome && outcome->cancelled);
-    run.runner.request(document, StageRunner::Urgency::Edit);
+    run.request(fusion, StageRunner::Urgency::Edit);
     outcome = run.settle();
     QVERIFY(!outcome->cancelled);
     QVERIFY(outcome->results->fused);
@@ -130,10 +133,10 @@ class StageRunnerTest : public QObject {
 
   void theAdjustmentRunsAgainWhenAsked() {
     Run run;
-    const Document document = samples::document("fig8d_hemisphere_nose");
-    run.runner.request(document, StageRunner::Urgency::Edit);
+    const Fusion fusion = samples::fusion("fig8d_hemisphere_nose");
+    run.request(fusion, StageRunner::Urgency::Edit);
     const auto first = run.settle();
-    run.runner.requestAdjustment(document);
+    run.runner.requestAdjustment(samples::documentOf(fusion), fusion.id);
     const auto second = run.settle();
     QVERIFY(first->results->adjustment != second->results->adjustment);
     QVERIFY(second->results->run(Stage::Adjust).ran);
@@ -144,7 +147,7 @@ class StageRunnerTest : public QObject {
   void aRunnerGoesAwayInTheMiddleOfARun() {
     for (int i = 0; i < 10; ++i) {
       StageRunner runner;
-      runner.request(samples::document("fig9b_bird_plane"), StageRunner::Urgency::Edit);
+      runner.request(samples::documentOf(samples::fusion("fig9b_bird_plane")), 1, StageRunner::Urgency::Edit);
     }
   }
 };

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/project/project_file.h"
+#include "tests/support/projects.h"
 #include "tests/support/samples.h"
 
 using namespace graftsman;
@@ -58,14 +59,14 @@ void verifyOneLineError(const Outcome& outcome) {
 Project projectOf(const std::string& name) {
   const LoadedScenario loaded = readScenario(samples::scenarioPath(name), {}).value();
   Project project;
-  Document& document = project.document;
+  Fusion& fusion = projects::fusionOf(project);
   const auto asset = [](const std::filesystem::path& source, const ReadReport& report, auto mesh) {
     return std::make_shared<const MeshAsset>(MeshAsset{source.filename(), source, report, std::move(mesh)});
   };
-  document.inputs = loaded.scenario.inputs;
-  document.part = asset(loaded.scenario.part, loaded.partReport, document.inputs.part);
-  document.base = asset(loaded.scenario.base, loaded.baseReport, document.inputs.base);
-  document.closed = true;
+  fusion.inputs = loaded.scenario.inputs;
+  fusion.part = asset(loaded.scenario.part, loaded.partReport, fusion.inputs.part);
+  fusion.base = asset(loaded.scenario.base, loaded.baseReport, fusion.inputs.base);
+  fusion.closed = true;
   return project;
 }
 
@@ -335,9 +336,9 @@ class CliTest : public QObject {
     const QString file = dir.filePath("p.graft");
     Project project = projectOf("fig4a_cone_sphere");
     if (what == "open") {
-      project.document.closed = false;
+      projects::fusionOf(project).closed = false;
     } else if (what == "no base") {
-      project.document.base = nullptr;
+      projects::fusionOf(project).base = nullptr;
     } else if (what == "empty") {
       project = {};
     }
@@ -374,9 +375,9 @@ class CliTest : public QObject {
     const QString source = dir.filePath("sphere.off");
     QVERIFY(QFile::copy(model("sphere.off"), source));
     Project project = projectOf("fig4a_cone_sphere");
-    MeshAsset base = *project.document.base;
+    MeshAsset base = *projects::fusionOf(project).base;
     base.source = source.toStdString();
-    project.document.base = std::make_shared<const MeshAsset>(base);
+    projects::fusionOf(project).base = std::make_shared<const MeshAsset>(base);
     save(file, project);
     const QByteArray before = contentOf(file);
     verifyOneLineError(runCli({"fuse", file, "-o", source}));

@@ -23,18 +23,18 @@ CVP pair(Index part, Index base) {
   return {SurfacePoint::atVertex(part), SurfacePoint::atVertex(base)};
 }
 
-Document withPairs(int count) {
-  Document document = edits::loadMesh({}, Side::Part, asset("part"));
-  document = edits::loadMesh(std::move(document), Side::Base, asset("base"));
+Fusion withPairs(int count) {
+  Fusion fusion = edits::loadMesh({}, Side::Part, asset("part"));
+  fusion = edits::loadMesh(std::move(fusion), Side::Base, asset("base"));
   for (int i = 0; i < count; ++i) {
-    document = *edits::insertPair(document, static_cast<std::size_t>(i), pair(i, i + 1));
+    fusion = *edits::insertPair(fusion, static_cast<std::size_t>(i), pair(i, i + 1));
   }
-  return document;
+  return fusion;
 }
 
-std::vector<std::pair<Index, Index>> numbers(const Document& document) {
+std::vector<std::pair<Index, Index>> numbers(const Fusion& fusion) {
   std::vector<std::pair<Index, Index>> all;
-  for (const CVP& p : document.inputs.loop) {
+  for (const CVP& p : fusion.inputs.loop) {
     all.emplace_back(p.part.vertex, p.base.vertex);
   }
   return all;
@@ -49,30 +49,30 @@ class EditsTest : public QObject {
 
  private Q_SLOTS:
   void aMeshThatReplacesAnotherEmptiesTheLoop() {
-    Document document = *edits::closeLoop(withPairs(4));
+    Fusion fusion = *edits::closeLoop(withPairs(4));
     const auto other = asset("other");
-    document = edits::loadMesh(std::move(document), Side::Base, other);
-    QVERIFY(document.inputs.loop.empty());
-    QVERIFY(!document.closed);
-    QCOMPARE(document.inputs.base, other->mesh);
+    fusion = edits::loadMesh(std::move(fusion), Side::Base, other);
+    QVERIFY(fusion.inputs.loop.empty());
+    QVERIFY(!fusion.closed);
+    QCOMPARE(fusion.inputs.base, other->mesh);
   }
 
   void theFirstMeshOfASideKeepsWhatIsThere() {
-    Document document = edits::loadMesh({}, Side::Part, asset("part"));
-    document.inputs.fcf = FCF::preset(FCF::Preset::Half);
-    document = edits::loadMesh(std::move(document), Side::Base, asset("base"));
-    QVERIFY(document.inputs.fcf == FCF::preset(FCF::Preset::Half));
-    QVERIFY(document.part && document.base);
+    Fusion fusion = edits::loadMesh({}, Side::Part, asset("part"));
+    fusion.inputs.fcf = FCF::preset(FCF::Preset::Half);
+    fusion = edits::loadMesh(std::move(fusion), Side::Base, asset("base"));
+    QVERIFY(fusion.inputs.fcf == FCF::preset(FCF::Preset::Half));
+    QVERIFY(fusion.part && fusion.base);
   }
 
   void aPairIsInsertedWhereItIsAskedFor() {
-    const Result<Document> after = edits::insertPair(withPairs(3), 1, pair(7, 7));
+    const Result<Fusion> after = edits::insertPair(withPairs(3), 1, pair(7, 7));
     QVERIFY(after);
     QCOMPARE(numbers(*after), (Pairs{{0, 1}, {7, 7}, {1, 2}, {2, 3}}));
   }
 
   void aPairOnATakenPointIsRefusedAndNamed() {
-    const Result<Document> after = edits::insertPair(withPairs(3), 3, pair(7, 2));
+    const Result<Fusion> after = edits::insertPair(withPairs(3), 3, pair(7, 2));
     QVERIFY(!after);
     QCOMPARE(after.error().code, ErrorCode::LoopRepeatsPoint);
     QCOMPARE(after.error().side, Side::Base);
@@ -92,12 +92,12 @@ class EditsTest : public QObject {
   }
 
   void aClosedLoopOfTwoIsOpen() {
-    Document document = *edits::closeLoop(withPairs(4));
-    document = edits::removePairs(std::move(document), {1});
-    QVERIFY(document.closed);
-    document = edits::removePairs(std::move(document), {0, 2});
-    QVERIFY(!document.closed);
-    QCOMPARE(numbers(document), (Pairs{{2, 3}}));
+    Fusion fusion = *edits::closeLoop(withPairs(4));
+    fusion = edits::removePairs(std::move(fusion), {1});
+    QVERIFY(fusion.closed);
+    fusion = edits::removePairs(std::move(fusion), {0, 2});
+    QVERIFY(!fusion.closed);
+    QCOMPARE(numbers(fusion), (Pairs{{2, 3}}));
   }
 
   void twoPairsMakeNoLoop() {
@@ -105,18 +105,18 @@ class EditsTest : public QObject {
   }
 
   void reversingTwiceGivesTheLoopBack() {
-    const Document document = withPairs(5);
-    const Document reversed = edits::reverseLoop(document);
+    const Fusion fusion = withPairs(5);
+    const Fusion reversed = edits::reverseLoop(fusion);
     QCOMPARE(numbers(reversed), (Pairs{{0, 1}, {4, 5}, {3, 4}, {2, 3}, {1, 2}}));
-    QVERIFY(edits::reverseLoop(reversed) == document);
+    QVERIFY(edits::reverseLoop(reversed) == fusion);
   }
 
   void shiftingAsOftenAsThereArePairsGivesTheLoopBack() {
-    const Document document = withPairs(3);
-    Document shifted = edits::shiftCorrespondence(document);
+    const Fusion fusion = withPairs(3);
+    Fusion shifted = edits::shiftCorrespondence(fusion);
     QCOMPARE(numbers(shifted), (Pairs{{2, 1}, {0, 2}, {1, 3}}));
     shifted = edits::shiftCorrespondence(edits::shiftCorrespondence(shifted));
-    QVERIFY(shifted == document);
+    QVERIFY(shifted == fusion);
   }
 
   void mirroringTurnsThePartsOrderAlone() {

@@ -106,10 +106,10 @@ class ProjectDamageTest : public QObject {
     const LoadedProject loaded = openDamaged(bytes, says.toStdString());
     QVERIFY(!loaded.fusionIntact);
     QVERIFY(loaded.damage[0].side == Side::Part);
-    const Document& document = loaded.project.document;
+    const Fusion& document = fusionOf(loaded.project);
     QVERIFY(!document.part && !document.inputs.part);
-    verifySameAsset(document.base, fullProject().document.base);
-    QVERIFY(sameEdits(fullProject().document, document));
+    verifySameAsset(document.base, fusionOf(fullProject()).base);
+    QVERIFY(sameEdits(fullProject(), loaded.project));
     QCOMPARE(loaded.project.thumbnail, fullProject().thumbnail);
     // What was lost is no hindrance to saving.
     QVERIFY(parse(bytesOf(loaded.project))->damage.empty());
@@ -135,7 +135,7 @@ class ProjectDamageTest : public QObject {
     bytes[bytes.find(content.toStdString())] ^= 1;
     const LoadedProject loaded = openDamaged(bytes, says.toStdString());
     QVERIFY(loaded.fusionIntact);
-    QVERIFY(sameEdits(fullProject().document, loaded.project.document));
+    QVERIFY(sameEdits(fullProject(), loaded.project));
   }
 
   void anEntryThatClaimsToBeHugeIsDamage() {
@@ -178,7 +178,8 @@ class ProjectDamageTest : public QObject {
     });
     const LoadedProject loaded = openDamaged(bytes, "\"" + key.toStdString());
     QVERIFY(!loaded.fusionIntact);
-    Document expected = fullProject().document;
+    Project project = fullProject();
+    Fusion& expected = fusionOf(project);
     const FusionInputs defaults;
     FusionInputs& inputs = expected.inputs;
     const double falloff = inputs.adjustment.falloff;
@@ -201,7 +202,37 @@ class ProjectDamageTest : public QObject {
       inputs.loop.clear();
     }
     expected.closed = key != "closed" && key != "cvp";
-    QVERIFY(sameEdits(expected, loaded.project.document));
+    QVERIFY(sameEdits(project, loaded.project));
+  }
+
+  void aFusionOfItsOwnResultLosesThatSide() {
+    const LoadedProject loaded = openDamaged(withDocument([](json& document) {
+                                               document["fusions"][0]["base"] = {{"result", 1}};
+                                               document["fusions"][0]["cvp"] = json::array();
+                                             }),
+                                             "missing or made of it");
+    QVERIFY(!loaded.fusionIntact);
+    QVERIFY(!fusionOf(loaded.project).base && fusionOf(loaded.project).part);
+  }
+
+  void aDamagedVariantCostsItAlone() {
+    const Result<LoadedProject> loaded = parse(withDocument([](json& document) {
+      const json variant = {{"id", 4}, {"fusions", document["fusions"]}};
+      document["variants"] = {7, variant, variant};
+    }));
+    QVERIFY(loaded && loaded->fusionIntact);
+    QCOMPARE(loaded->damage.size(), std::size_t{2});
+    QVERIFY(loaded->damage[0].message.find("Variant 1") != std::string::npos);
+    QVERIFY(loaded->damage[1].message.find("number 4") != std::string::npos);
+    QCOMPARE(loaded->project.document.variants.size(), std::size_t{1});
+    QCOMPARE(loaded->project.document.variants[0]->name, std::string("Variant 4"));
+  }
+
+  void aNumberThatTwoFusionsHaveCostsTheSecond() {
+    const LoadedProject loaded = openDamaged(
+        withDocument([](json& document) { document["fusions"].push_back(document["fusions"][0]); }),
+        "number 1");
+    QCOMPARE(loaded.project.document.fusions.size(), std::size_t{1});
   }
 
   void pairsThatTheMeshesDoNotHaveAreLeftOut() {
@@ -212,9 +243,9 @@ class ProjectDamageTest : public QObject {
                                              "left out: 0, 2.");
     QVERIFY(loaded.damage[0].code == ErrorCode::LoopIndexOutOfRange);
     QCOMPARE(loaded.damage[0].cvs, (std::vector<int>{0, 2}));
-    const Loop whole = fullProject().document.inputs.loop;
-    QVERIFY((loaded.project.document.inputs.loop == Loop{whole[1], whole[3]}));
-    QVERIFY(!loaded.project.document.closed);
+    const Loop whole = fusionOf(fullProject()).inputs.loop;
+    QVERIFY((fusionOf(loaded.project).inputs.loop == Loop{whole[1], whole[3]}));
+    QVERIFY(!fusionOf(loaded.project).closed);
   }
 
   void aNewerFormatIsRefusedPolitely() {

@@ -23,10 +23,10 @@ namespace {
 // falls into the writing of them.
 std::vector<Project> savedByTurns() {
   Project one = fullProject();
-  one.document.base = asset("one", shapes::icosphere(5));
+  fusionOf(one).base = asset("one", shapes::icosphere(5));
   Project other = fullProject();
-  other.document.base = asset("other", shapes::torus(100, 90));
-  other.document.inputs.fcf = FCF::preset(FCF::Preset::Paste);
+  fusionOf(other).base = asset("other", shapes::torus(100, 90));
+  fusionOf(other).inputs.fcf = FCF::preset(FCF::Preset::Paste);
   return {one, other};
 }
 

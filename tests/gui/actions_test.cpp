@@ -110,7 +110,7 @@ class ActionsTest : public QObject {
     auto* found = bench.window->findChild<QListWidget*>("actionsFound");
     QCOMPARE(found->count(), 1);
     QTest::keyClick(words, Qt::Key_Return);
-    QVERIFY(bench.document().inputs.fcf == FCF::preset(FCF::Preset::KeepBaseSlope));
+    QVERIFY(bench.fusion().inputs.fcf == FCF::preset(FCF::Preset::KeepBaseSlope));
   }
 
   void theShortcutsAreListed() {

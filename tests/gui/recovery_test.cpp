@@ -58,13 +58,13 @@ class RecoveryTest : public QObject {
     QAbstractButton* recover = button(bench, "recover");
     QVERIFY(recover && recover->isVisible());
     QTest::mouseClick(recover, Qt::LeftButton);
-    QTRY_VERIFY(bench.document().part);
+    QTRY_VERIFY(bench.fusion().part);
     QVERIFY(bench.settle());
     QVERIFY(bench.window->isWindowModified());
-    QVERIFY(bench.document().inputs.fcf == FCF::preset(FCF::Preset::Half));
+    QVERIFY(bench.fusion().inputs.fcf == FCF::preset(FCF::Preset::Half));
     const FusionInputs sample = samples::load("fig8b_cone_nose");
-    QVERIFY(bench.document().inputs.loop == sample.loop);
-    QVERIFY(bench.document().inputs.base->points() == sample.base->points());
+    QVERIFY(bench.fusion().inputs.loop == sample.loop);
+    QVERIFY(bench.fusion().inputs.base->points() == sample.base->points());
     // It is this program's now: no other one offers it.
     QTRY_VERIFY(Autosave::findRecoverable(recovery).empty());
     QCOMPARE(QDir(recovery).entryList({"*.graft"}).size(), 1);
@@ -130,10 +130,10 @@ class RecoveryTest : public QObject {
     QVERIFY(bench.openSample("fig4c_cone_sphere"));
     DocumentModel& model = bench.window->model();
     std::mt19937 random(500);
-    std::vector<Document> states = {model.document()};
+    std::vector<Fusion> states = {model.fusion()};
     while (model.history()->count() < 500) {
       randomEdit(model, random);
-      states.resize(static_cast<std::size_t>(model.history()->index()) + 1, model.document());
+      states.resize(static_cast<std::size_t>(model.history()->index()) + 1, model.fusion());
       if (states.size() % 50 == 0) {
         QVERIFY(bench.settle());
       }
@@ -141,18 +141,18 @@ class RecoveryTest : public QObject {
     for (int i = 0; i < 200; ++i) {
       const auto to = static_cast<int>(random() % states.size());
       model.history()->setIndex(to);
-      QVERIFY(model.document() == states[static_cast<std::size_t>(to)]);
+      QVERIFY(model.fusion() == states[static_cast<std::size_t>(to)]);
       if (i % 20 == 0) {
         QVERIFY(bench.settle());
-        const FusionResults fresh = update(model.document().inputs, {}, {});
-        if (model.document().closed && fresh.fused) {
+        const FusionResults fresh = update(model.fusion().inputs, {}, {});
+        if (model.fusion().closed && fresh.fused) {
           QVERIFY(bench.window->fusionPage().shown()->fused->points == fresh.fused->points);
         }
       }
     }
     model.history()->setIndex(0);
     QVERIFY(bench.settle());
-    QVERIFY(model.document() == states.front());
+    QVERIFY(model.fusion() == states.front());
     QVERIFY(bench.window->fusionPage().shown()->fused->points ==
             update(states.front().inputs, {}, {}).fused->points);
   }

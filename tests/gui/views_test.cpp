@@ -21,8 +21,8 @@ class ViewsTest : public QObject {
  private Q_SLOTS:
   void aRegionIsLookedAtFromOutside() {
     for (const char* name : {"fig8b_cone_nose", "fig9b_bird_plane", "fig7_letters_bottle"}) {
-      const Document document = samples::document(name);
-      const FusionResults results = update(document.inputs, {}, {});
+      const Fusion fusion = samples::fusion(name);
+      const FusionResults results = update(fusion.inputs, {}, {});
       // The tile's own faces look to the camera on the whole.
       Eigen::Vector3d outward = Eigen::Vector3d::Zero();
       for (const Face& face : results.base.tile->faces) {
@@ -31,7 +31,7 @@ class ViewsTest : public QObject {
         };
         outward += (at(1) - at(0)).cross(at(2) - at(0));
       }
-      const Camera camera = firstView(document, Side::Base);
+      const Camera camera = firstView(fusion, Side::Base);
       QVERIFY(side(camera).dot(outward.normalized()) > 0.3);
       QVERIFY(std::abs(side(camera).dot(camera.axis)) < 0.95);
     }

@@ -26,13 +26,13 @@ class WorkbenchTest : public QObject {
     bench.action("tilesMode")->trigger();
     bench.drop(bench.pane(Side::Part), QString::fromStdString(scenario->scenario.part.string()));
     QVERIFY(bench.settle());
-    QVERIFY(bench.document().part);
+    QVERIFY(bench.fusion().part);
     bench.action("loadBase")->trigger();
     auto* dialog = bench.window->findChild<QFileDialog*>("loadDialog");
     QVERIFY(dialog);
     dialog->selectFile(QString::fromStdString(scenario->scenario.base.string()));
     static_cast<QDialog*>(dialog)->accept();
-    QTRY_VERIFY(bench.document().base);
+    QTRY_VERIFY(bench.fusion().base);
     QVERIFY(bench.settle());
 
     // Pairs, part first and base first in turn.
@@ -41,17 +41,17 @@ class WorkbenchTest : public QObject {
       for (const Side side : {first, first == Side::Part ? Side::Base : Side::Part}) {
         bench.clickVertex(side, side == Side::Part ? wanted[i].part.vertex : wanted[i].base.vertex);
       }
-      QCOMPARE(bench.document().inputs.loop.size(), i + 1);
+      QCOMPARE(bench.fusion().inputs.loop.size(), i + 1);
     }
-    QVERIFY(bench.document().inputs.loop == wanted);
-    QVERIFY(!bench.document().closed);
+    QVERIFY(bench.fusion().inputs.loop == wanted);
+    QVERIFY(!bench.fusion().closed);
 
     // Enter closes the loop: the tiles appear, and there is a result.
     QTest::keyClick(bench.pane(Side::Base), Qt::Key_Return);
-    QVERIFY(bench.document().closed);
+    QVERIFY(bench.fusion().closed);
     QVERIFY(bench.settle());
     QVERIFY(bench.window->fusionPage().shown());
-    QVERIFY(fused(bench) == update(bench.document().inputs, {}, {}).fused->points);
+    QVERIFY(fused(bench) == update(bench.fusion().inputs, {}, {}).fused->points);
 
     // The curve.
     QTest::keyClick(bench.window.get(), Qt::Key_F3);
@@ -67,21 +67,21 @@ class WorkbenchTest : public QObject {
     QVERIFY(bench.window->model().dragging());
     QTest::mouseRelease(editor, Qt::LeftButton, {}, from - QPoint(0, 32));
     QCOMPARE(bench.window->model().history()->count(), steps + 1);
-    QVERIFY(bench.document().inputs.fcf.points()[1].f > point.f);
+    QVERIFY(bench.fusion().inputs.fcf.points()[1].f > point.f);
     QVERIFY(bench.settle());
 
     // Back and forth through every step.
-    const Document last = bench.document();
+    const Fusion last = bench.fusion();
     const std::vector<Point> result = fused(bench);
     while (bench.window->model().history()->canUndo()) {
       QTest::keyClick(bench.window.get(), Qt::Key_Z, Qt::ControlModifier);
     }
-    QVERIFY(!bench.document().part && !bench.document().base);
-    QVERIFY(bench.document().inputs.loop.empty());
+    QVERIFY(!bench.fusion().part && !bench.fusion().base);
+    QVERIFY(bench.fusion().inputs.loop.empty());
     while (bench.window->model().history()->canRedo()) {
       QTest::keyClick(bench.window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     }
-    QVERIFY(bench.document() == last);
+    QVERIFY(bench.fusion() == last);
     QVERIFY(bench.settle());
     QVERIFY(fused(bench) == result);
 
@@ -92,11 +92,11 @@ class WorkbenchTest : public QObject {
     QVERIFY(!bench.window->isWindowModified());
     QVERIFY(bench.window->windowTitle().contains("nose"));
     bench.action("newProject")->trigger();
-    QVERIFY(!bench.document().part);
+    QVERIFY(!bench.fusion().part);
     bench.window->openFile(path);
     QVERIFY(bench.settle());
-    QVERIFY(bench.document().inputs.loop == last.inputs.loop);
-    QVERIFY(bench.document().inputs.fcf == last.inputs.fcf);
+    QVERIFY(bench.fusion().inputs.loop == last.inputs.loop);
+    QVERIFY(bench.fusion().inputs.fcf == last.inputs.fcf);
     QVERIFY(fused(bench) == result);
     QCOMPARE(bench.window->mode(), MainWindow::Mode::Fusion);
   }
@@ -112,26 +112,26 @@ class WorkbenchTest : public QObject {
     Workbench bench;
     QVERIFY(bench.openSample("fig4c_cone_sphere"));
     auto* editor = bench.window->findChild<FusionCurveEditor*>();
-    const Document before = bench.document();
+    const Fusion before = bench.fusion();
     const QImage picture = bench.resultPane()->picture();
     const QPoint from = editor->position(editor->curve().points()[1]).toPoint();
     QTest::mousePress(editor, Qt::LeftButton, {}, from);
     QTest::mouseMove(editor, from + QPoint(0, -40));
     QVERIFY(bench.resultPane()->picture() != picture);
     QTest::keyClick(editor, Qt::Key_Escape);
-    QVERIFY(bench.document() == before);
+    QVERIFY(bench.fusion() == before);
     QCOMPARE(bench.window->model().history()->count(), 0);
     QTest::mouseRelease(editor, Qt::LeftButton, {}, from + QPoint(0, -40));
-    QVERIFY(bench.document() == before);
+    QVERIFY(bench.fusion() == before);
   }
 
   void aCVIsDraggedWhileARunIsUnderWay() {
     Workbench bench;
     QVERIFY(bench.openSample("fig9b_bird_plane"));
     QTest::keyClick(bench.window.get(), Qt::Key_F2);
-    const Document before = bench.document();
+    const Fusion before = bench.fusion();
     MeshPane* pane = bench.pane(Side::Base);
-    const TriangleMesh& mesh = *bench.document().inputs.base;
+    const TriangleMesh& mesh = *bench.fusion().inputs.base;
     const Index vertex = before.inputs.loop[2].base.vertex;
     bench.lookAt(pane, mesh, vertex);
     const QPoint from = pane->screenPosition(mesh.point(vertex)).toPoint();
@@ -143,16 +143,16 @@ class WorkbenchTest : public QObject {
       }
     }
     QTest::mouseRelease(pane, Qt::LeftButton, {}, from + QPoint(36, 24));
-    QVERIFY(bench.document().inputs.loop[2].base.vertex != vertex);
+    QVERIFY(bench.fusion().inputs.loop[2].base.vertex != vertex);
     QCOMPARE(bench.window->model().history()->count(), 1);
     QCOMPARE(bench.window->model().history()->undoText(), QString("Move CV 2 on the base"));
     QVERIFY(bench.settle());
-    const FusionResults fresh = update(bench.document().inputs, {}, {});
+    const FusionResults fresh = update(bench.fusion().inputs, {}, {});
     if (fresh.fused) {
       QVERIFY(fused(bench) == fresh.fused->points);
     }
     QTest::keyClick(bench.window.get(), Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(bench.document() == before);
+    QVERIFY(bench.fusion() == before);
     QVERIFY(bench.settle());
     QVERIFY(fused(bench) == update(before.inputs, {}, {}).fused->points);
   }
@@ -162,13 +162,13 @@ class WorkbenchTest : public QObject {
     QVERIFY(bench.openSample("fig4c_cone_sphere"));
     QTest::keyClick(bench.window.get(), Qt::Key_F2);
     bench.action("openLoop")->trigger();
-    const Document before = bench.document();
+    const Fusion before = bench.fusion();
     bench.clickVertex(Side::Base, 3);
     auto* table = bench.window->findChild<QTableView*>();
     QCOMPARE(table->model()->rowCount(), static_cast<int>(before.inputs.loop.size()) + 1);
     QTest::keyClick(bench.pane(Side::Base), Qt::Key_Escape);
     QCOMPARE(table->model()->rowCount(), static_cast<int>(before.inputs.loop.size()));
-    QVERIFY(bench.document() == before);
+    QVERIFY(bench.fusion() == before);
   }
 
   void cancelStopsARunAndTheNextEditGoesOn() {
@@ -180,14 +180,14 @@ class WorkbenchTest : public QObject {
     QVERIFY(bench.settle());
     QTest::keyClick(bench.window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(bench.settle());
-    QVERIFY(fused(bench) == update(bench.document().inputs, {}, {}).fused->points);
+    QVERIFY(fused(bench) == update(bench.fusion().inputs, {}, {}).fused->points);
   }
 
   void aClockwiseLoopSaysSoAndOffersTheRemedy() {
     Workbench bench;
     QVERIFY(bench.openSample("fig8b_cone_nose"));
     QTest::keyClick(bench.window.get(), Qt::Key_F2);
-    const Document before = bench.document();
+    const Fusion before = bench.fusion();
     bench.action("reverse")->trigger();
     QVERIFY(bench.settle());
     auto* frame = bench.window->findChild<QWidget*>("baseFrame");
@@ -195,7 +195,7 @@ class WorkbenchTest : public QObject {
     QVERIFY(remedy && remedy->isVisible());
     QCOMPARE(remedy->text(), QString("Reverse the loop"));
     QTest::mouseClick(remedy, Qt::LeftButton);
-    QVERIFY(bench.document() == before);
+    QVERIFY(bench.fusion() == before);
     QVERIFY(bench.settle());
     QVERIFY(!remedy->isVisible());
   }
@@ -203,7 +203,7 @@ class WorkbenchTest : public QObject {
   void aBadFileIsRefusedAndNothingIsLost() {
     Workbench bench;
     QVERIFY(bench.openSample("fig4c_cone_sphere"));
-    const Document before = bench.document();
+    const Fusion before = bench.fusion();
     const QString path = bench.folder.filePath("broken.obj");
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
@@ -213,10 +213,10 @@ class WorkbenchTest : public QObject {
     bench.drop(bench.pane(Side::Base), path);
     QVERIFY(bench.settle());
     QVERIFY2(bench.status().contains("broken.obj"), qPrintable(bench.status()));
-    QVERIFY(bench.document() == before);
+    QVERIFY(bench.fusion() == before);
     bench.window->openFile(bench.folder.filePath("missing.graft"));
     QVERIFY(bench.settle());
-    QVERIFY(bench.document() == before);
+    QVERIFY(bench.fusion() == before);
   }
 
   void theTableSelectsAndIsSelected() {
@@ -225,10 +225,10 @@ class WorkbenchTest : public QObject {
     QTest::keyClick(bench.window.get(), Qt::Key_F2);
     auto* table = bench.window->findChild<QTableView*>();
     table->selectRow(3);
-    const Document before = bench.document();
+    const Fusion before = bench.fusion();
     QTest::keyClick(table, Qt::Key_Delete);
-    QCOMPARE(bench.document().inputs.loop.size(), before.inputs.loop.size() - 1);
-    QVERIFY(bench.document().inputs.loop[3] == before.inputs.loop[4]);
+    QCOMPARE(bench.fusion().inputs.loop.size(), before.inputs.loop.size() - 1);
+    QVERIFY(bench.fusion().inputs.loop[3] == before.inputs.loop[4]);
   }
 
   void theExportIsWhatTheCommandLineWrites() {

@@ -6,13 +6,18 @@
 /// Documents of the sample scenarios, for tests.
 namespace graftsman::samples {
 
-inline Document document(const std::string& name) {
-  Document document;
-  document.inputs = load(name);
-  document.part = std::make_shared<const MeshAsset>(MeshAsset{"part", "part.obj", {}, document.inputs.part});
-  document.base = std::make_shared<const MeshAsset>(MeshAsset{"base", "base.obj", {}, document.inputs.base});
-  document.closed = true;
-  return document;
+/// The document of one fusion.
+inline Document documentOf(const Fusion& fusion) {
+  return {{std::make_shared<const Fusion>(fusion)}, {}};
+}
+
+inline Fusion fusion(const std::string& name) {
+  Fusion fusion;
+  fusion.inputs = load(name);
+  fusion.part = std::make_shared<const MeshAsset>(MeshAsset{"part", "part.obj", {}, fusion.inputs.part});
+  fusion.base = std::make_shared<const MeshAsset>(MeshAsset{"base", "base.obj", {}, fusion.inputs.base});
+  fusion.closed = true;
+  return fusion;
 }
 
 }  // namespace graftsman::samples

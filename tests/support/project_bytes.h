@@ -38,12 +38,14 @@ inline void verifySameAsset(const std::shared_ptr<const MeshAsset>& a,
 }
 
 /// The same edit state, but for the meshes, which are others when a file is read again.
-inline bool sameEdits(const Document& a, Document b) {
-  b.part = a.part;
-  b.base = a.base;
-  b.inputs.part = a.inputs.part;
-  b.inputs.base = a.inputs.base;
+inline bool sameEdits(const Fusion& a, Fusion b) {
+  setAsset(b, Side::Part, a.part);
+  setAsset(b, Side::Base, a.base);
   return a == b;
+}
+inline bool sameEdits(const Project& a, const Project& b) {
+  return a.document.fusions.size() == 1 && b.document.fusions.size() == 1 &&
+         sameEdits(fusionOf(a), fusionOf(b));
 }
 
 /// What `write` puts into the file that it is given.

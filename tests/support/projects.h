@@ -25,16 +25,29 @@ inline std::shared_ptr<const MeshAsset> asset(const std::string& name, shapes::M
   return std::make_shared<const MeshAsset>(std::move(made));
 }
 
+/// The project's first fusion, to be changed; no other document has it.
+inline Fusion& fusionOf(Project& project) {
+  std::shared_ptr<const Fusion>& first = project.document.fusions.front();
+  if (first.use_count() > 1) {
+    first = std::make_shared<const Fusion>(*first);
+  }
+  return const_cast<Fusion&>(*first);
+}
+inline const Fusion& fusionOf(const Project& project) {
+  return *project.document.fusions.front();
+}
+
 /// A project in which nothing has its default value.
 inline Project fullProject() {
   Project project;
-  Document& document = project.document;
-  document.part = asset("ball.ply", shapes::icosphere(2));
-  document.base = asset("ring.ply", shapes::torus(12, 9));
-  document.closed = true;
-  FusionInputs& inputs = document.inputs;
-  inputs.part = document.part->mesh;
-  inputs.base = document.base->mesh;
+  Fusion& fusion = fusionOf(project);
+  fusion.name = "Ball on ring";
+  fusion.part = asset("ball.ply", shapes::icosphere(2));
+  fusion.base = asset("ring.ply", shapes::torus(12, 9));
+  fusion.closed = true;
+  FusionInputs& inputs = fusion.inputs;
+  inputs.part = fusion.part->mesh;
+  inputs.base = fusion.base->mesh;
   inputs.loop = {{SurfacePoint::atVertex(3), SurfacePoint::atVertex(107)},
                  {{-1, 319, {0.1, 0.2, 0.7}}, {-1, 0, {1.0 / 3, 1.0 / 3, 1 - 2 * (1.0 / 3)}}},
                  {SurfacePoint::atVertex(0), {-1, 5, {0, 0.5, 0.5}}},

@@ -11,7 +11,7 @@ namespace graftsman {
 
 /// Makes a random edit that is legal, or none.
 inline void randomEdit(DocumentModel& model, std::mt19937& random) {
-  const Document& now = model.committed();
+  const Fusion& now = model.committed();
   const auto below = [&](std::size_t n) { return static_cast<int>(random() % n); };
   const auto vertexOf = [&](const TriangleMesh& mesh) {
     return SurfacePoint::atVertex(below(static_cast<std::size_t>(mesh.vertexCount())));

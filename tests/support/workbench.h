@@ -47,7 +47,7 @@ struct Workbench {
   }
   [[nodiscard]] ResultPane* resultPane() const { return window->findChild<ResultPane*>("resultPane"); }
   [[nodiscard]] QAction* action(const char* name) const { return window->actions()[name]; }
-  [[nodiscard]] const Document& document() const { return window->model().document(); }
+  [[nodiscard]] const Fusion& fusion() const { return window->model().fusion(); }
 
   /// True once no stage and no job is under way.
   [[nodiscard]] bool settle() const {
@@ -79,7 +79,7 @@ struct Workbench {
 
   /// Clicks on a vertex of the pane's mesh.
   void clickVertex(Side side, Index vertex) const {
-    const auto& mesh = side == Side::Part ? document().inputs.part : document().inputs.base;
+    const auto& mesh = side == Side::Part ? fusion().inputs.part : fusion().inputs.base;
     QPoint at;
     const auto inView = [&] {
       lookAt(pane(side), *mesh, vertex);
