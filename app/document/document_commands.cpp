@@ -8,7 +8,7 @@
 namespace graftsman {
 namespace {
 
-QString tr(const char* text) {
+QString words(const char* text) {
   return QCoreApplication::translate("graftsman::EditCommand", text);
 }
 
@@ -22,7 +22,7 @@ QString variantName(const DocumentModel& model, VariantId id) {
 
 // "Rib", "3 variants".
 QString variantNames(const DocumentModel& model, const std::set<VariantId>& ids) {
-  return ids.size() == 1 ? variantName(model, *ids.begin()) : tr("%1 variants").arg(ids.size());
+  return ids.size() == 1 ? variantName(model, *ids.begin()) : words("%1 variants").arg(ids.size());
 }
 
 // The fusion that is shown once this one is gone.
@@ -63,57 +63,57 @@ FusionId shownAfter(const DocumentModel& model, VariantId id) {
 AddFusion::AddFusion(DocumentModel& model, std::shared_ptr<const MeshAsset> part,
                      std::shared_ptr<const MeshAsset> base)
     : EditCommand(model, edits::addFusion(model.document(), std::move(part), std::move(base)),
-                  edits::nextFusion(model.document()), tr("Add a fusion")) {}
+                  edits::nextFusion(model.document()), words("Add a fusion")) {}
 
 RemoveFusion::RemoveFusion(DocumentModel& model, FusionId id)
     : EditCommand(model, edits::removeFusion(model.document(), id),
                   besides(model, id, edits::removeFusion(model.document(), id)),
-                  tr("Remove “%1”").arg(fusionName(model, id))) {}
+                  words("Remove “%1”").arg(fusionName(model, id))) {}
 
 RenameFusion::RenameFusion(DocumentModel& model, FusionId id, const QString& name)
     : EditCommand(model, edits::renameFusion(model.document(), id, name.toStdString()), model.shown(),
-                  tr("Rename “%1” to “%2”").arg(fusionName(model, id), name)) {}
+                  words("Rename “%1” to “%2”").arg(fusionName(model, id), name)) {}
 
 TakeResult::TakeResult(DocumentModel& model, Document after, FusionId id, Side side, FusionId upstream)
     : EditCommand(model, std::move(after), id,
-                  tr("Take “%1” as the %2").arg(fusionName(model, upstream), label(side))) {}
+                  words("Take “%1” as the %2").arg(fusionName(model, upstream), label(side))) {}
 
 AddVariant::AddVariant(DocumentModel& model)
     : EditCommand(model, edits::addVariant(model.document(), model.shown()), model.shown(),
-                  tr("Keep as a variant")) {}
+                  words("Keep as a variant")) {}
 
 AddVariant::AddVariant(DocumentModel& model, const FusionList& fusions, FusionId shown, const QString& name)
     : EditCommand(model, edits::addVariant(model.document(), fusions, shown, name.toStdString()),
-                  model.shown(), tr("Keep as a variant")) {}
+                  model.shown(), words("Keep as a variant")) {}
 
 RemoveVariants::RemoveVariants(DocumentModel& model, const std::set<VariantId>& ids)
     : EditCommand(model, edits::removeVariants(model.document(), ids), model.shown(),
-                  tr("Remove “%1”").arg(variantNames(model, ids))) {}
+                  words("Remove “%1”").arg(variantNames(model, ids))) {}
 
 RenameVariant::RenameVariant(DocumentModel& model, VariantId id, const QString& name)
     : EditCommand(model, withVariant(model, id, [&](Variant& variant) { variant.name = name.toStdString(); }),
-                  model.shown(), tr("Rename “%1” to “%2”").arg(variantName(model, id), name)) {}
+                  model.shown(), words("Rename “%1” to “%2”").arg(variantName(model, id), name)) {}
 
 NoteVariant::NoteVariant(DocumentModel& model, VariantId id, const QString& note)
     : EditCommand(model, withVariant(model, id, [&](Variant& variant) { variant.note = note.toStdString(); }),
-                  model.shown(), tr("Note on “%1”").arg(variantName(model, id))) {}
+                  model.shown(), words("Note on “%1”").arg(variantName(model, id))) {}
 
 StarVariants::StarVariants(DocumentModel& model, const std::set<VariantId>& ids, bool starred)
     : EditCommand(model, withStars(model.document(), ids, starred), model.shown(),
-                  (starred ? tr("Star “%1”") : tr("Unstar “%1”")).arg(variantNames(model, ids))) {}
+                  (starred ? words("Star “%1”") : words("Unstar “%1”")).arg(variantNames(model, ids))) {}
 
 ApplyVariant::ApplyVariant(DocumentModel& model, VariantId id)
     : EditCommand(model, edits::applyVariant(model.document(), id), shownAfter(model, id),
-                  tr("Apply “%1”").arg(variantName(model, id))) {}
+                  words("Apply “%1”").arg(variantName(model, id))) {}
 
 ChangeVariants::ChangeVariants(DocumentModel& model, const std::set<VariantId>& ids,
                                const std::function<void(Fusion&)>& change, const QString& what)
     : EditCommand(model, edits::changeVariants(model.document(), ids, change), model.shown(),
-                  tr("%1 of “%2”").arg(what, variantNames(model, ids))) {}
+                  words("%1 of “%2”").arg(what, variantNames(model, ids))) {}
 
 CrossVariants::CrossVariants(DocumentModel& model, VariantId loop, VariantId curve)
     : EditCommand(model, edits::crossVariants(model.document(), loop, curve), model.shown(),
-                  tr("Cross “%1” with “%2”").arg(variantName(model, loop), variantName(model, curve))) {}
+                  words("Cross “%1” with “%2”").arg(variantName(model, loop), variantName(model, curve))) {}
 
 AddVariants::AddVariants(DocumentModel& model, const std::vector<std::pair<FusionList, QString>>& states,
                          FusionId shown, const QString& what)

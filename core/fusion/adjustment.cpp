@@ -29,7 +29,7 @@ constexpr double kUnrelated = 1e-9;
 constexpr double kCoordinateRounding = 4 * 2.220446049250313e-16;
 
 // Points per task: a millisecond for a loop of ordinary size.
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kPointGrain = 1 << 14;
 
 /// x ↦ scale · rotation · (x − from) + to, where x is a part's point and the image is relative to the base's
 /// centroid.
@@ -230,7 +230,7 @@ class Steps {
 bool movePoints(std::span<const Point> points, const Placement& placement, const Point& origin,
                 const LineField* field, const Progress& progress, std::vector<Point>& moved) {
   std::atomic<std::size_t> done = 0;
-  parallelRanges(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(points.size(), kPointGrain, [&](std::size_t begin, std::size_t end) {
     if (!progress.keepGoing(static_cast<double>(done) / static_cast<double>(points.size()))) {
       return;
     }

@@ -12,11 +12,11 @@ namespace {
 
 // From here on starting threads costs less than it saves.
 constexpr std::size_t kManyVertices = 1 << 18;
-constexpr std::size_t kGrain = 1 << 16;
+constexpr std::size_t kBlendGrain = 1 << 16;
 
 // Weights at a time: few enough that the positions which are asked for meanwhile find room in the nearest
 // cache.
-constexpr std::size_t kBlock = 64;
+constexpr std::size_t kBlendBlock = 64;
 
 // Eq. 1. Not by the formula where f is 0 or 1: 0 · v¹ + v² turns −0 into 0.
 GRAFTSMAN_INLINE double mix(double f, double part, double base) {
@@ -37,7 +37,7 @@ bool isRun(std::span<const Index> target) {
 // Coordinates of a block as one list, with the weight of each.
 GRAFTSMAN_VECTOR_CLONES
 void blendRun(const double* weights, const double* part, const double* base, double* out, std::size_t size) {
-  std::array<double, 3 * kBlock> weight;
+  std::array<double, 3 * kBlendBlock> weight;
   for (std::size_t j = 0; j < size; ++j) {
     weight[3 * j] = weights[j];
     weight[3 * j + 1] = weights[j];
@@ -59,9 +59,9 @@ void prefetch(const Point* points, std::size_t size) {
 
 void blendRange(const CombinedTile& combined, const FCF& fcf, std::span<const Index> target,
                 std::span<Point> out, std::size_t begin, std::size_t end) {
-  std::array<double, kBlock> weights;
-  for (; begin < end; begin += kBlock) {
-    const std::size_t size = std::min(kBlock, end - begin);
+  std::array<double, kBlendBlock> weights;
+  for (; begin < end; begin += kBlendBlock) {
+    const std::size_t size = std::min(kBlendBlock, end - begin);
     const std::span<const Index> to = target.subspan(begin, size);
     prefetch(combined.part.data() + begin, size);
     prefetch(combined.base.data() + begin, size);
@@ -92,7 +92,7 @@ void blend(const CombinedTile& combined, const FCF& fcf, std::span<const Index> 
     blendRange(combined, fcf, target, out, 0, count);
     return;
   }
-  parallelRanges(count, kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(count, kBlendGrain, [&](std::size_t begin, std::size_t end) {
     blendRange(combined, fcf, target, out, begin, end);
   });
 }

@@ -11,9 +11,9 @@ namespace {
 // On the sample models, 1.5 visits a tenth of the vertices that 1 does, and the way, straightened, is still
 // within a few percent of the shortest.
 constexpr double kHaste = 1.5;
-constexpr int kProgressInterval = 1024;
+constexpr int kEdgesPerLook = 1024;
 
-struct Node {
+struct GraphNode {
   double distance;
   Index parent;
   bool reached;
@@ -37,7 +37,7 @@ class EdgeGraphSearch {
       if (v == to_) {
         return way();
       }
-      if (++settled % kProgressInterval == 0 &&
+      if (++settled % kEdgesPerLook == 0 &&
           !progress.keepGoing(static_cast<double>(settled) / mesh_.vertexCount())) {
         return {};
       }
@@ -70,7 +70,7 @@ class EdgeGraphSearch {
   }
 
   void reach(Index v, double distance, Index parent) {
-    Node& node = nodes_[v];
+    GraphNode& node = nodes_[v];
     if (!node.reached || distance < node.distance) {
       node = {distance, parent, true, false};
       heap_.push(distance + kHaste * (mesh_.point(v) - mesh_.point(to_)).norm(), v);
@@ -88,7 +88,7 @@ class EdgeGraphSearch {
 
   const TriangleMesh& mesh_;
   Index to_;
-  ZeroedArray<Node> nodes_;
+  ZeroedArray<GraphNode> nodes_;
   MinHeap heap_;
 };
 

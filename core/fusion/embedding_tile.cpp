@@ -8,11 +8,11 @@
 namespace graftsman {
 namespace {
 
-struct Chord {
+struct TileChord {
   std::array<Index, 2> ends;  // ascending
   Index halfedge = 0;         // 3f + k
 
-  friend bool operator<(const Chord& a, const Chord& b) {
+  friend bool operator<(const TileChord& a, const TileChord& b) {
     return a.ends != b.ends ? a.ends < b.ends : a.halfedge < b.halfedge;
   }
 };
@@ -21,8 +21,8 @@ bool isBoundaryEdge(Index a, Index b, Index boundarySize) {
   return (a + 1 == boundarySize ? 0 : a + 1) == b;
 }
 
-std::vector<Chord> findChords(std::span<const Face> faces, Index boundarySize) {
-  std::vector<Chord> chords;
+std::vector<TileChord> findChords(std::span<const Face> faces, Index boundarySize) {
+  std::vector<TileChord> chords;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Index a = faces[f][k];
@@ -38,7 +38,7 @@ std::vector<Chord> findChords(std::span<const Face> faces, Index boundarySize) {
 
 /// A vertex for every pair of chord halfedges; returns, sorted by halfedge, which vertex divides which.
 std::vector<std::pair<Index, Index>> divideChords(std::span<const Face> faces,
-                                                  const std::vector<Chord>& chords, EmbeddingTile& tile) {
+                                                  const std::vector<TileChord>& chords, EmbeddingTile& tile) {
   std::vector<std::pair<Index, Index>> dividers;
   for (std::size_t i = 0; i < chords.size(); ++i) {
     const auto& [ends, halfedge] = chords[i];
@@ -155,7 +155,7 @@ EmbeddingTile prepareTile(std::span<const Point> points, std::span<const Face> f
   EmbeddingTile tile;
   tile.boundarySize = boundarySize;
   tile.points = scaled(points);
-  const std::vector<Chord> chords = findChords(faces, boundarySize);
+  const std::vector<TileChord> chords = findChords(faces, boundarySize);
   if (faces.size() == 1) {
     divideSingleTriangle(faces[0], tile);
   } else {

@@ -11,7 +11,7 @@ using Point2 = Funnel::Point2;
 
 // A way that crosses an edge closer to its end than this fraction of the edge goes through that end: it gets
 // longer by at most twice this fraction of the edge, and the pieces of cut faces are no needles.
-constexpr double kSnap = 1e-6;
+constexpr double kFunnelSnap = 1e-6;
 
 double cross(const Point2& a, const Point2& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -145,10 +145,10 @@ EdgePoint Funnel::crossing(const TriangleMesh& mesh, const Portal& portal, std::
   }
   const Index edge = canonical(mesh, portal.h);
   const double t = edge == portal.h ? share : 1 - share;
-  if (portal.lo == 0 && t < kSnap) {
+  if (portal.lo == 0 && t < kFunnelSnap) {
     return {mesh.from(edge), -1, 0};
   }
-  if (portal.hi == 1 && t > 1 - kSnap) {
+  if (portal.hi == 1 && t > 1 - kFunnelSnap) {
     return {mesh.to(edge), -1, 0};
   }
   return {-1, edge, std::clamp(t, portal.lo, portal.hi)};

@@ -16,14 +16,14 @@ struct Listed {
 };
 
 // Most vertices are the smaller end of about six halfedges: comparing all pairs beats sorting there.
-constexpr std::ptrdiff_t kFewHalfedges = 24;
+constexpr std::ptrdiff_t kFewTwins = 24;
 
 void pairListed(Listed* begin, Listed* end, std::vector<Index>& twins) {
   const auto pair = [&](const Listed& a, const Listed& b) {
     twins[static_cast<std::size_t>(a.halfedge)] = b.halfedge;
     twins[static_cast<std::size_t>(b.halfedge)] = a.halfedge;
   };
-  if (end - begin > kFewHalfedges) {
+  if (end - begin > kFewTwins) {
     std::sort(begin, end);
     for (Listed* a = begin; a + 1 < end; ++a) {
       if (a[0].larger == a[1].larger) {

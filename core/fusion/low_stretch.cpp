@@ -7,6 +7,7 @@
 
 #include "core/fusion/embedding_weights.h"
 #include "core/fusion/opening_potential.h"
+#include "core/mesh/at.h"
 
 namespace graftsman {
 namespace {
@@ -15,15 +16,11 @@ namespace {
 constexpr int kMostOpenings = 5;
 
 /// Steps after Yoshizawa et al.: the first ones bring nearly all, and each has to earn its solution.
-constexpr int kMostSteps = 5;
+constexpr int kMostStretchSteps = 5;
 constexpr double kEnough = 0.99;
 
 /// Squared length in the unit circle that is nothing but rounding.
 constexpr double kNoLength = 1e-32;
-
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Mean square stretch of the map from the layout to the tile (Sander et al. 2001, L²), lowest 1 / n-gon's
 /// area for an even layout of area 1; infinite if the layout is not valid.
@@ -113,7 +110,7 @@ std::optional<Layout> lowStretchLayout(const LayoutProblem& problem, const SlotW
     layout = std::move(*opened);
   }
   double least = stretch(problem.tile, layout);
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMostStretchSteps; ++i) {
     const std::vector<double> stretches = logStretches(problem.tile, layout.uv);
     for (std::size_t v = 0; v < potential.size(); ++v) {
       potential[v] += 2 * stretches[v];  // weights w / σ of both ends: a conductivity σ⁻²

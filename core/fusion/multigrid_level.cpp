@@ -1,4 +1,5 @@
 #include "core/fusion/multigrid_level.h"
+#include "core/mesh/at.h"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +10,6 @@ namespace graftsman {
 namespace {
 
 using Two = Pair::Two;
-
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The rows by colour, each the least that no neighbour before it has. Beyond kColours colours they repeat:
 /// that costs speed, nothing else.

@@ -7,6 +7,7 @@
 
 #include "core/fusion/embedding_weights.h"
 #include "core/fusion/laplace_solver.h"
+#include "core/mesh/at.h"
 
 namespace graftsman {
 namespace {
@@ -16,10 +17,6 @@ constexpr double kRegion = 1e-2;
 
 /// φ is a logarithm: so small an error changes weights by a thousandth.
 constexpr double kPotentialTolerance = 1e-3;
-
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Depth of each row in the squeezed regions: 0 outside, 1 beside the outside, …
 struct Depths {

@@ -13,8 +13,8 @@
 namespace graftsman {
 namespace {
 
-constexpr std::size_t kGrain = 16384;  // vertices a thread takes at a time
-constexpr Index kFewSides = 12;        // all of them are sooner looked at than an angle is computed
+constexpr std::size_t kLocationGrain = 16384;  // vertices a thread takes at a time
+constexpr Index kFewSides = 12;                // all of them are sooner looked at than an angle is computed
 
 Point2 outward(Index sides, Index side) {
   const double angle = std::numbers::pi * (2 * side + 1) / sides;
@@ -58,7 +58,7 @@ void fillSeamDistances(Index sides, CombinedTile& combined) {
   const auto outwardsOf = [&](Index i) -> const Point2& { return outwards[static_cast<std::size_t>(i)]; };
   const double apothem = apothemOf(sides);
   combined.s.assign(combined.uv.size(), 0);
-  parallelRanges(combined.uv.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(combined.uv.size(), kLocationGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = std::max(begin, static_cast<std::size_t>(combined.seamSize)); v < end; ++v) {
       combined.s[v] = distanceFromSeam(sides, apothem, outwardsOf, combined.uv[v]);
     }

@@ -13,8 +13,8 @@
 namespace graftsman::overlay_detail {
 namespace {
 
-constexpr std::size_t kProgressStride = 512;  // base faces between two looks at the clock
-constexpr std::size_t kGrain = 8192;          // base faces that a thread takes at a time
+constexpr std::size_t kCellsPerLook = 512;  // base faces between two looks at the clock
+constexpr std::size_t kCellGrain = 8192;    // base faces that a thread takes at a time
 
 /// A piece of an edge of either layer, directed.
 struct Piece {
@@ -266,7 +266,7 @@ Result<void> fillCells(const Layers& layers, const Trace& trace, const VertexNum
       2 * static_cast<std::size_t>(numbers.count) - static_cast<std::size_t>(layers.base.seamSize()) - 2;
   const auto baseFaces = static_cast<std::size_t>(layers.base.faceCount());
   // The order of the faces is the same whatever the ranges.
-  const std::size_t grain = threadCount() > 1 ? kGrain : baseFaces;
+  const std::size_t grain = threadCount() > 1 ? kCellGrain : baseFaces;
   std::vector<CellFaces> ranges((baseFaces + grain - 1) / grain);
   Seen seen(layers, trace);
   std::atomic<bool> fits = true;
@@ -275,8 +275,8 @@ Result<void> fillCells(const Layers& layers, const Trace& trace, const VertexNum
   parallelRanges(baseFaces, grain, [&](std::size_t begin, std::size_t end) {
     CellWalker walker(layers, trace, numbers, combined, seen, ranges[begin / grain]);
     for (std::size_t f = begin; f < end && fits; ++f) {
-      if (f % kProgressStride == 0 && !progress.keepGoing(static_cast<double>(done += kProgressStride) /
-                                                          static_cast<double>(baseFaces))) {
+      if (f % kCellsPerLook == 0 &&
+          !progress.keepGoing(static_cast<double>(done += kCellsPerLook) / static_cast<double>(baseFaces))) {
         return;
       }
       if (!walker.walkBaseFace(static_cast<Index>(f))) {

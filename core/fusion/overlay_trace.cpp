@@ -12,7 +12,7 @@ namespace {
 constexpr Index kUntraced = -2;
 // Keeps the numbers of the combined faces' halfedges, at most 18 a crossing, within an Index.
 constexpr std::size_t kMostCrossings = 100'000'000;
-constexpr std::size_t kProgressStride = 512;  // vertices between two looks at the clock
+constexpr std::size_t kVerticesPerLook = 512;  // vertices between two looks at the clock
 
 class Tracer {
  public:
@@ -40,7 +40,7 @@ class Tracer {
 
   Result<void> traceInterior(const Progress& progress) {
     for (std::size_t i = 0; i < queue_.size(); ++i) {
-      if (i % kProgressStride == 0 &&
+      if (i % kVerticesPerLook == 0 &&
           !progress.keepGoing(static_cast<double>(i) / static_cast<double>(base_.vertexCount()))) {
         return fail(ErrorCode::Cancelled, "Cancelled.");
       }

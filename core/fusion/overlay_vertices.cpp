@@ -11,7 +11,7 @@
 namespace graftsman::overlay_detail {
 namespace {
 
-constexpr std::size_t kGrain = 16384;  // vertices a thread takes at a time
+constexpr std::size_t kVertexGrain = 16384;  // vertices a thread takes at a time
 
 /// Where along both of its edges a crossing lies: fractions of `Crossing::base` and `Crossing::part`.
 struct Fractions {
@@ -129,13 +129,13 @@ class VertexWriter {
   }
 
   void writeLayers() {
-    parallelRanges(static_cast<std::size_t>(layers_.base.vertexCount()), kGrain,
+    parallelRanges(static_cast<std::size_t>(layers_.base.vertexCount()), kVertexGrain,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t v = begin; v < end; ++v) {
                        writeBaseVertex(static_cast<Index>(v));
                      }
                    });
-    parallelRanges(static_cast<std::size_t>(layers_.part.vertexCount()), kGrain,
+    parallelRanges(static_cast<std::size_t>(layers_.part.vertexCount()), kVertexGrain,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t w = begin; w < end; ++w) {
                        if (numbers_.ofPart[w] >= layers_.base.vertexCount()) {
@@ -148,13 +148,13 @@ class VertexWriter {
   void writeCrossings() {
     const std::vector<Crossing>& crossings = trace_.crossings;
     fractions_.resize(crossings.size());
-    parallelRanges(crossings.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(crossings.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
         fractions_[c] = fractionsOf(layers_, crossings[c]);
       }
     });
     orderFractions();
-    parallelRanges(crossings.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(crossings.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
         if (crossings[c].vertex >= numbers_.firstCrossing) {
           writeCrossing(c);

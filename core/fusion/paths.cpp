@@ -38,7 +38,7 @@ constexpr std::size_t kMostWindows = 2'000'000;
 // It looks only for paths that are shorter by this part, a tenth of what the wavefront is trusted for.
 constexpr double kWorthWindows = 1e-4;
 
-tl::unexpected<Error> cancelled() {
+tl::unexpected<Error> pathsCancelled() {
   return fail(ErrorCode::Cancelled, "The search for the paths was cancelled.");
 }
 
@@ -187,7 +187,7 @@ Result<std::vector<PathPtr>> directPaths(const TriangleMesh& mesh, const std::ve
     (void)progress.keepGoing(static_cast<double>(done) / count);
   });
   if (progress.cancelled()) {
-    return cancelled();
+    return pathsCancelled();
   }
   for (auto& error : errors) {
     if (error) {
@@ -223,7 +223,7 @@ Result<PathPtr> findPath(const TriangleMesh& mesh, Index from, Index to, PathMod
   PathPtr path;
   if (!mesh.singular(from) && !mesh.singular(to)) {
     if (!progress.keepGoing(0)) {
-      return cancelled();
+      return pathsCancelled();
     }
     if (neighbours(mesh, from, to)) {
       return makePath(mesh, {{from, -1, 0}, {to, -1, 0}});
@@ -233,7 +233,7 @@ Result<PathPtr> findPath(const TriangleMesh& mesh, Index from, Index to, PathMod
                                    : straightenedPath(mesh, obstacles, from, to, progress);
   }
   if (progress.cancelled()) {
-    return cancelled();
+    return pathsCancelled();
   }
   if (!path) {
     return fail(ErrorCode::PathImpossible,
@@ -258,7 +258,7 @@ Result<std::shared_ptr<const LoopPaths>> findPaths(const TriangleMesh& mesh, con
   }
   const RoutedLoop routed = routeLoop(mesh, cvs, *direct, mode, progress.span(kDirectShare, 1));
   if (progress.cancelled() || !progress.keepGoing(1)) {
-    return cancelled();
+    return pathsCancelled();
   }
   if (routed.paths.empty()) {
     return fail(crossing(side, routed, n));

@@ -18,7 +18,7 @@ constexpr double kParallel = 1e-15;
 
 // First singular value, relative to its greatest possible, below which two loops have nothing in common: it
 // is rounding error then, and would give a rotation by chance.
-constexpr double kUnrelated = 1e-12;
+constexpr double kUnrelatedAxes = 1e-12;
 
 double greatestNorm(std::span<const Point> points) {
   double greatest = 0;
@@ -78,7 +78,7 @@ Eigen::Matrix3d bestRotation(std::span<const Point> from, std::span<const Point>
   const Eigen::Vector3d& singular = svd.singularValues();
   const Eigen::Matrix3d& u = svd.matrixU();
   const Eigen::Matrix3d& v = svd.matrixV();
-  if (singular[0] <= kUnrelated * static_cast<double>(from.size())) {
+  if (singular[0] <= kUnrelatedAxes * static_cast<double>(from.size())) {
     return Eigen::Matrix3d::Identity();
   }
   if (singular[1] <= kCollinear * singular[0]) {

@@ -14,10 +14,10 @@ namespace {
 
 // Fraction of the shorter boundary edge within which a part vertex takes a base vertex's place, as in the
 // overlay.
-constexpr double kSnap = 1e-3;
+constexpr double kFitSnap = 1e-3;
 
 // Rounding of a position that was turned, scaled and moved, in units of the greatest coordinate.
-constexpr double kRounding = 16 * 2.220446049250313e-16;
+constexpr double kFitRounding = 16 * 2.220446049250313e-16;
 
 /// A vertex of the fitted boundary.
 struct BoundaryVertex {
@@ -50,7 +50,7 @@ bool snaps(const std::vector<BoundaryPosition>& part, Index i, const std::vector
   if (p.side != b.side || (p.t == 0) != (b.t == 0)) {
     return false;
   }
-  return p.t == b.t || std::abs(p.t - b.t) <= kSnap * std::min(shorterEdge(part, i), shorterEdge(base, j));
+  return p.t == b.t || std::abs(p.t - b.t) <= kFitSnap * std::min(shorterEdge(part, i), shorterEdge(base, j));
 }
 
 // Both boundaries in one order.
@@ -227,7 +227,7 @@ Result<FittedTile> fitBoundary(const Tile& tile, const Adjustment& adjustment, c
   }
   const double farthest =
       std::max(greatestCoordinate(base.points), adjustment.report.scale * greatestCoordinate(tile.points));
-  if (isBaseTile(fitted, base, kRounding * farthest)) {
+  if (isBaseTile(fitted, base, kFitRounding * farthest)) {
     fitted.points = base.points;  // then its embedding has the same bits, too
   }
   return fitted;

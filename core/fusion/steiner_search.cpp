@@ -7,11 +7,11 @@
 namespace graftsman {
 namespace {
 
-constexpr int kProgressInterval = 1024;
+constexpr int kPointsPerLook = 1024;
 
-class Search {
+class SteinerSearch {
  public:
-  Search(const TriangleMesh& mesh, const PathObstacles& obstacles, Index to, const SteinerGraph& graph)
+  SteinerSearch(const TriangleMesh& mesh, const PathObstacles& obstacles, Index to, const SteinerGraph& graph)
       : mesh_(mesh),
         obstacles_(obstacles),
         graph_(graph),
@@ -31,7 +31,7 @@ class Search {
       if (x == to_) {
         return wayTo(x);
       }
-      if (++settled % kProgressInterval == 0 &&
+      if (++settled % kPointsPerLook == 0 &&
           !progress.keepGoing(settled /
                               (2.0 * (mesh_.vertexCount() + static_cast<double>(points_.size()))))) {
         return {};
@@ -188,7 +188,7 @@ class Search {
 std::vector<EdgePoint> searchSteinerGraph(const TriangleMesh& mesh, const PathObstacles& obstacles,
                                           Index from, Index to, const SteinerGraph& graph,
                                           const Progress& progress) {
-  return Search(mesh, obstacles, to, graph).run(from, progress);
+  return SteinerSearch(mesh, obstacles, to, graph).run(from, progress);
 }
 
 }  // namespace graftsman

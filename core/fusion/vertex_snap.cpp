@@ -11,7 +11,7 @@ namespace graftsman::overlay_detail {
 namespace {
 
 // Of the shortest edge at either vertex; as on the boundary (seam_snap).
-constexpr double kSnap = 1e-3;
+constexpr double kVertexSnap = 1e-3;
 // Of a triangle's area: what must be left of it.
 constexpr double kAreaLeft = 0.5;
 
@@ -65,7 +65,7 @@ std::vector<Near> findNear(const Layers& layers, const Trace& trace) {
       const double squared = (layers.base.at(v) - p).squaredNorm();
       const double edge = std::min((layers.part.at(corners[(k + 1) % 3]) - p).squaredNorm(),
                                    (layers.part.at(corners[(k + 2) % 3]) - p).squaredNorm());
-      if (w >= layers.part.seamSize() && squared <= kSnap * kSnap * edge) {
+      if (w >= layers.part.seamSize() && squared <= kVertexSnap * kVertexSnap * edge) {
         found.push_back({std::sqrt(squared), v, w});
       }
     }
@@ -108,8 +108,8 @@ bool snapVertices(Layers& layers, const Trace& trace) {
     if (takenBase[base] || takenPart[part]) {
       continue;
     }
-    const double reach = kSnap * std::min(shortestEdge(layers.base, leavingBase[base]),
-                                          shortestEdge(layers.part, leavingPart[part]));
+    const double reach = kVertexSnap * std::min(shortestEdge(layers.base, leavingBase[base]),
+                                                shortestEdge(layers.part, leavingPart[part]));
     const bool moves =
         distance > 0 && distance <= reach && move(layers.part, leavingPart[part], layers.base.at(v));
     moved = moved || moves;

@@ -20,7 +20,7 @@ constexpr std::size_t kMostWays = 6;
 // A distance is corrected only if it falls by more than this part; less is rounding, and would go on for
 // long.
 constexpr double kSmallestCorrection = 1e-7;
-constexpr int kProgressInterval = 1024;
+constexpr int kFrontsPerLook = 1024;
 // A vertex is among long and thin triangles if its longest edge is so many times its shortest; models for
 // animation and scans have a few percent of such vertices, tessellated solids nearly nothing else.
 constexpr double kElongated = 8;
@@ -300,7 +300,7 @@ class Meeting {
         met_.push_back(v);
         best_ = std::min(best_, sum(v));
       }
-      if (++settled % kProgressInterval == 0 && !progress.keepGoing(settled / (2.0 * mesh_.vertexCount()))) {
+      if (++settled % kFrontsPerLook == 0 && !progress.keepGoing(settled / (2.0 * mesh_.vertexCount()))) {
         return false;
       }
     }

@@ -25,7 +25,7 @@ constexpr double kNarrowest = 1e-12;
 constexpr double kSaddle = 1e-9;
 // Ways that graze a singular vertex are led by it at this part of the edge.
 constexpr double kOffSingular = 1e-3;
-constexpr std::size_t kProgressInterval = 1024;
+constexpr std::size_t kWindowsPerLook = 1024;
 
 // Seen from inside the face of h, which it is about to enter: the edge runs from the origin along x, the face
 // lies above it and the (virtual) source below.
@@ -67,7 +67,7 @@ class WindowSearch {
       } else if (key <= labels_[~value].distance + (mesh_.point(~value) - goal_).norm()) {
         emanate(~value);
       }
-      if (++steps % kProgressInterval == 0 &&
+      if (++steps % kWindowsPerLook == 0 &&
           !progress.keepGoing(static_cast<double>(windows_.size()) / static_cast<double>(budget_))) {
         return {};
       }

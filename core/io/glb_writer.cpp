@@ -18,7 +18,7 @@ namespace graftsman {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Vectors = std::vector<Eigen::Vector3f>;
+using FloatVectors = std::vector<Eigen::Vector3f>;
 
 // Sizes of a model whose coordinates, differences and normals stay in the range of floats with room to spare.
 constexpr double kSmallestSize = 1e-30;
@@ -54,7 +54,7 @@ std::vector<Eigen::Vector3d> normals(std::span<const Point> points, std::span<co
 class Buffer {
  public:
   /// Adds V×3 floats and returns the accessor's number.
-  int add(const Vectors& vectors, bool withRange) {
+  int add(const FloatVectors& vectors, bool withRange) {
     Json accessor = {{"bufferView", view(vectors.data(), vectors.size() * sizeof(vectors[0]), kArrayBuffer)},
                      {"componentType", kFloat},
                      {"count", vectors.size()},
@@ -108,8 +108,8 @@ class Buffer {
   Json accessors_ = Json::array();
 };
 
-Vectors toFloats(std::size_t count, const auto& vectorAt) {
-  Vectors result(count);
+FloatVectors toFloats(std::size_t count, const auto& vectorAt) {
+  FloatVectors result(count);
   for (std::size_t i = 0; i < count; ++i) {
     result[i] = vectorAt(i).template cast<float>();
   }

@@ -20,7 +20,6 @@ namespace {
 // Shares of a reading's time, about.
 constexpr double kReadShare = 0.1;
 constexpr double kParseShare = 0.7;
-constexpr std::size_t kLongestPath = 400;  // bytes in a message
 
 Result<RawMesh> readRaw(const ReadInput& input, MeshFormat format) {
   switch (format) {
@@ -76,7 +75,7 @@ Result<MeshFormat> formatOf(const std::filesystem::path& path) {
                 "The mesh file's name is empty; the name must end in .obj, .ply, .stl or .off");
   }
   return fail(ErrorCode::FormatUnknown,
-              printable(path.string(), kLongestPath) +
+              printable(path.string(), kLongestPathShown) +
                   ": unknown format; the name must end in .obj, .ply, .stl or .off");
 }
 

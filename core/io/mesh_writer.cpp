@@ -14,10 +14,9 @@
 namespace graftsman {
 namespace {
 
-constexpr std::size_t kRowsPerLook = 4096;  // at the progress
-constexpr std::size_t kLongestNumber = 32;  // characters of a double or an integer
-constexpr std::size_t kLongestPath = 400;   // bytes in a message
-constexpr double kFormatShare = 0.8;        // of the time that writing takes
+constexpr std::size_t kLinesPerLook = 4096;  // at the progress
+constexpr std::size_t kLongestNumber = 32;   // characters of a double or an integer
+constexpr double kFormatShare = 0.8;         // of the time that writing takes
 
 class MeshFormatter {
  public:
@@ -98,7 +97,7 @@ class MeshFormatter {
   bool each(const Rows& rows, std::size_t before, Write write) {
     const auto all = static_cast<double>(points_.size() + faces_.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i % kRowsPerLook == 0 && !progress_.keepGoing(static_cast<double>(before + i) / all)) {
+      if (i % kLinesPerLook == 0 && !progress_.keepGoing(static_cast<double>(before + i) / all)) {
         return false;
       }
       write(rows[i]);
@@ -182,7 +181,7 @@ Result<void> checkPoints(MeshFormat format, const std::filesystem::path& path, s
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (!(points[v].cwiseAbs().maxCoeff() <= limit) || !points[v].allFinite()) {
       return fail(ErrorCode::FileUnwritable,
-                  printable(path.string(), kLongestPath) + ": cannot be written: vertex " +
+                  printable(path.string(), kLongestPathShown) + ": cannot be written: vertex " +
                       std::to_string(v) + " has a coordinate that " +
                       (points[v].allFinite() ? "is too large for binary STL; choose another format"
                                              : "is not a finite number"));

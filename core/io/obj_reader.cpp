@@ -10,9 +10,9 @@
 namespace graftsman {
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 20;  // bytes between two looks at the progress
-constexpr std::size_t kShortVertex = 24;              // bytes of a line with a vertex; few are shorter
-constexpr std::size_t kShortFace = 14;                // bytes of a line with a triangle
+constexpr std::size_t kBytesPerLook = std::size_t{1} << 20;  // bytes between two looks at the progress
+constexpr std::size_t kShortVertex = 24;                     // bytes of a line with a vertex; few are shorter
+constexpr std::size_t kShortFace = 14;                       // bytes of a line with a triangle
 
 bool isContinuation(const char* at, const char* end) {
   return *at == '\\' && at + 1 != end && isLineEnd(at[1]);
@@ -60,7 +60,7 @@ class ObjParser {
       if (!input_.progress.keepGoing(static_cast<double>(at - input_.bytes.data()) / size)) {
         return readingCancelled();
       }
-      const char* const blockEnd = at + std::min(kBlock, static_cast<std::size_t>(end_ - at));
+      const char* const blockEnd = at + std::min(kBytesPerLook, static_cast<std::size_t>(end_ - at));
       at = parseLines(at, blockEnd);
       if (at == nullptr) {
         return tl::unexpected<Error>(std::move(*error_));

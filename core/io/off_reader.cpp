@@ -10,8 +10,8 @@
 namespace graftsman {
 namespace {
 
-constexpr std::size_t kLongestKeyword = 9;  // STCN4nOFF
-constexpr std::size_t kRowsPerLook = 4096;  // at the progress
+constexpr std::size_t kLongestKeyword = 9;     // STCN4nOFF
+constexpr std::size_t kOffRowsPerLook = 4096;  // at the progress
 
 class OffParser {
  public:
@@ -22,7 +22,7 @@ class OffParser {
     bool done = parseKeyword() && parseCounts();
     for (std::size_t row = 0; done && row < vertices_ + faces_; ++row) {
       const double rows = static_cast<double>(vertices_ + faces_);
-      if (row % kRowsPerLook == 0 && !input_.progress.keepGoing(static_cast<double>(row) / rows)) {
+      if (row % kOffRowsPerLook == 0 && !input_.progress.keepGoing(static_cast<double>(row) / rows)) {
         return readingCancelled();
       }
       done = row < vertices_ ? parseVertex(row) : parseFace(row - vertices_);

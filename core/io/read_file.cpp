@@ -17,10 +17,9 @@
 namespace graftsman {
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 22;  // read at a time, between two looks at the progress
+constexpr std::size_t kReadBlock = std::size_t{1} << 22;  // read at a time, between two looks at the progress
 constexpr std::size_t kPipeStart = std::size_t{1} << 16;
 constexpr int kPollMilliseconds = 50;
-constexpr std::size_t kLongestPath = 400;  // bytes in a message
 
 class Descriptor {
  public:
@@ -40,7 +39,7 @@ class Descriptor {
 
 tl::unexpected<Error> cannotRead(const std::filesystem::path& path, const std::string& reason) {
   return fail(ErrorCode::FileUnreadable,
-              printable(path.string(), kLongestPath) + ": cannot be read: " + reason);
+              printable(path.string(), kLongestPathShown) + ": cannot be read: " + reason);
 }
 
 std::string textOf(int systemError) {
@@ -83,7 +82,7 @@ Result<FileBytes> readFile(const std::filesystem::path& path, const Progress& pr
       if (pipe && !waitForPipe(file.get(), progress)) {
         return fail(ErrorCode::Cancelled, "Reading was cancelled.");
       }
-      const ssize_t got = ::read(file.get(), data.get() + size, std::min(capacity - size, kBlock));
+      const ssize_t got = ::read(file.get(), data.get() + size, std::min(capacity - size, kReadBlock));
       if (got == 0) {
         return FileBytes(std::move(data), size);
       }
@@ -102,7 +101,7 @@ Result<FileBytes> readFile(const std::filesystem::path& path, const Progress& pr
       }
     }
   } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::OutOfMemory, printable(path.string(), kLongestPath) +
+    return fail(ErrorCode::OutOfMemory, printable(path.string(), kLongestPathShown) +
                                             ": not enough memory to read the file (" +
                                             std::to_string(status.st_size) + " bytes)");
   }

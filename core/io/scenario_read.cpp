@@ -12,7 +12,7 @@ namespace {
 constexpr std::uintmax_t kGreatestFile = std::uintmax_t{64} << 20;
 
 std::string shown(const std::filesystem::path& path) {
-  return printable(path.string(), 400);
+  return printable(path.string(), kLongestPathShown);
 }
 
 Result<std::string> readText(const std::filesystem::path& path) {

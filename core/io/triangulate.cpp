@@ -58,10 +58,10 @@ void triangulateQuad(std::span<const Index> q, const std::vector<Point>& points,
 }
 
 // A polygon of which ears are cut. Corners are named by their place in it, so a vertex may occur twice.
-class EarCutter {
+class CornerCutter {
  public:
-  EarCutter(std::span<const Index> corners, const std::vector<Point>& points,
-            const std::vector<Eigen::Vector2d>& plane)
+  CornerCutter(std::span<const Index> corners, const std::vector<Point>& points,
+               const std::vector<Eigen::Vector2d>& plane)
       : corners_(corners),
         points_(points),
         plane_(plane),
@@ -184,7 +184,7 @@ void triangulate(std::span<const Index> corners, const std::vector<Point>& point
   }
   const std::vector<Eigen::Vector2d> plane = projected(corners, points);
   if (corners.size() <= kMostEars) {
-    EarCutter(corners, points, plane).cut(faces);
+    CornerCutter(corners, points, plane).cut(faces);
     return;
   }
   const std::vector<Face> triangles = delaunayTriangles(plane);

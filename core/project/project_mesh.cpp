@@ -16,7 +16,7 @@ static_assert(sizeof(Point) == 3 * sizeof(double) && sizeof(Face) == 3 * sizeof(
 
 constexpr std::string_view kMagic = "grafmesh";
 constexpr std::size_t kCountsAt = kMagic.size();
-constexpr double kReadShare = 0.5;  // of the progress; finding the neighbours is the rest
+constexpr double kMeshReadShare = 0.5;  // of the progress; finding the neighbours is the rest
 
 template <class T>
 std::string_view bytesOf(const std::vector<T>& values) {
@@ -28,7 +28,7 @@ std::span<char> bytesOf(std::vector<T>& values) {
   return {reinterpret_cast<char*>(values.data()), values.size() * sizeof(T)};
 }
 
-tl::unexpected<Error> malformed(const std::string& what) {
+tl::unexpected<Error> malformedEntry(const std::string& what) {
   return fail(ErrorCode::FileMalformed, what);
 }
 
@@ -36,14 +36,14 @@ tl::unexpected<Error> malformed(const std::string& what) {
 Result<void> check(const std::vector<Point>& points, const std::vector<Face>& faces) {
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (!points[v].allFinite()) {
-      return malformed("vertex " + std::to_string(v) + " has a coordinate that is no finite number");
+      return malformedEntry("vertex " + std::to_string(v) + " has a coordinate that is no finite number");
     }
   }
   const auto isVertex = [&](Index v) { return v >= 0 && static_cast<std::size_t>(v) < points.size(); };
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto& [a, b, c] = faces[f];
     if (!isVertex(a) || !isVertex(b) || !isVertex(c) || a == b || b == c || c == a) {
-      return malformed("face " + std::to_string(f) + " does not name three different vertices");
+      return malformedEntry("face " + std::to_string(f) + " does not name three different vertices");
     }
   }
   return {};
@@ -72,7 +72,7 @@ Result<std::shared_ptr<const TriangleMesh>> readMeshEntry(ZipReader& zip, const 
   if (!stream) {
     return fail(std::move(stream.error()));
   }
-  const Progress reading = progress.span(0, kReadShare);
+  const Progress reading = progress.span(0, kMeshReadShare);
   std::array<char, kCountsAt + 2 * sizeof(Index)> header = {};
   if (Result<void> read = stream->read(header, reading); !read) {
     return fail(std::move(read.error()));
@@ -81,13 +81,14 @@ Result<std::shared_ptr<const TriangleMesh>> readMeshEntry(ZipReader& zip, const 
   std::memcpy(counts.data(), header.data() + kCountsAt, sizeof(counts));
   const auto [vertexCount, faceCount] = counts;
   if (std::string_view(header.data(), kMagic.size()) != kMagic) {
-    return malformed("it is no mesh");
+    return malformedEntry("it is no mesh");
   }
   if (vertexCount < 0 || faceCount <= 0 || faceCount > std::numeric_limits<Index>::max() / 3 ||
       entry.size != header.size() + static_cast<std::uint64_t>(vertexCount) * sizeof(Point) +
                         static_cast<std::uint64_t>(faceCount) * sizeof(Face)) {
-    return malformed("it holds " + std::to_string(entry.size) + " bytes, which does not fit its " +
-                     std::to_string(vertexCount) + " vertices and " + std::to_string(faceCount) + " faces");
+    return malformedEntry("it holds " + std::to_string(entry.size) + " bytes, which does not fit its " +
+                          std::to_string(vertexCount) + " vertices and " + std::to_string(faceCount) +
+                          " faces");
   }
   std::vector<Point> points(static_cast<std::size_t>(vertexCount));
   std::vector<Face> faces(static_cast<std::size_t>(faceCount));
@@ -98,7 +99,7 @@ Result<std::shared_ptr<const TriangleMesh>> readMeshEntry(ZipReader& zip, const 
   if (!read) {
     return fail(std::move(read.error()));
   }
-  if (!progress.keepGoing(kReadShare)) {
+  if (!progress.keepGoing(kMeshReadShare)) {
     return fail(ErrorCode::Cancelled, "Reading was cancelled.");
   }
   return std::make_shared<const TriangleMesh>(std::move(points), std::move(faces));

@@ -23,10 +23,9 @@ namespace {
 constexpr double kFileShare = 0.3;          // of the progress: the file into memory
 constexpr double kMeshesShare = 0.9;        // up to here, its meshes
 constexpr std::size_t kLongestName = 4096;  // of an entry that is kept; longer ones are no one's work
-constexpr std::size_t kLongestPath = 400;   // bytes in a message
 
 std::string inQuotes(const std::string& text) {
-  return "\"" + printable(text, kLongestPath) + "\"";
+  return "\"" + printable(text, kLongestPathShown) + "\"";
 }
 
 unsigned version(const json& document, const char* key) {
@@ -78,11 +77,11 @@ class ProjectReader {
         return malformedFile("cannot be understood: its document.json is no JSON object.");
       }
       if (const std::string why = needed(document); !why.empty()) {
-        return fail(
-            ErrorCode::ProjectTooNew,
-            name_ + ": needs a newer version of this program: " + why + ". It was saved by " +
-                printable(DocumentReader::textOr(document, "written_by", "a newer Graftsman"), kLongestPath) +
-                "; open it with that. The file was left as it is.");
+        return fail(ErrorCode::ProjectTooNew,
+                    name_ + ": needs a newer version of this program: " + why + ". It was saved by " +
+                        printable(DocumentReader::textOr(document, "written_by", "a newer Graftsman"),
+                                  kLongestPathShown) +
+                        "; open it with that. The file was left as it is.");
       }
       version(document, "format_version");
       readDocument(document);
@@ -158,7 +157,7 @@ class ProjectReader {
       const std::string source = DocumentReader::textOr(record, "source", "");
       read->source = source;
       lost += " " + inQuotes(read->name) + " (" + printable(entry) + ")";
-      remedy += source.empty() ? "" : ": it was read from " + printable(source, kLongestPath);
+      remedy += source.empty() ? "" : ": it was read from " + printable(source, kLongestPathShown);
       read->report = reportOf(record);
       read->mesh = mesh(entry, record, progress);
       remains_->known.push_back({read, id, record});
@@ -301,7 +300,7 @@ class ProjectReader {
 
 Result<LoadedProject> parseProject(std::span<const char> bytes, const std::filesystem::path& path,
                                    const Progress& progress) {
-  const std::string name = printable(path.string(), kLongestPath);
+  const std::string name = printable(path.string(), kLongestPathShown);
   try {
     Result<ZipReader> zip = ZipReader::open(bytes);
     if (!zip) {

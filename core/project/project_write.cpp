@@ -93,7 +93,7 @@ class ProjectWriter {
           added ? add(entry.name, entry.bytes, entry.stored ? Packing::Stored : Packing::Deflated) : added;
     }
     if (!added) {
-      added.error().message = printable(path.string(), 400) + ": " + added.error().message;
+      added.error().message = printable(path.string(), kLongestPathShown) + ": " + added.error().message;
       return added;
     }
     return zip_.write(path, progress);
@@ -286,7 +286,7 @@ Result<void> writeProject(const std::filesystem::path& path, const Project& proj
     return ProjectWriter(project).write(path, progress);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::OutOfMemory,
-                printable(path.string(), 400) + ": not enough memory to save the project.");
+                printable(path.string(), kLongestPathShown) + ": not enough memory to save the project.");
   }
 }
 

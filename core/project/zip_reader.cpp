@@ -9,7 +9,7 @@
 namespace graftsman {
 namespace {
 
-constexpr std::uint64_t kBlock = std::uint64_t{1} << 22;  // read between two looks at the progress
+constexpr std::uint64_t kUnpackBlock = std::uint64_t{1} << 22;  // read between two looks at the progress
 // What a file may unpack to: meshes and texts pack to a tenth at best.
 constexpr std::uint64_t kGreatestRatio = 64;
 constexpr std::uint64_t kAlwaysUnpackable = std::uint64_t{16} << 20;
@@ -53,7 +53,7 @@ struct ZipStream::File {
 Result<void> ZipStream::read(std::span<char> into, const Progress& progress) {
   while (!into.empty()) {
     const std::int64_t got =
-        zip_fread(file_->file, into.data(), std::min<std::uint64_t>(into.size(), kBlock));
+        zip_fread(file_->file, into.data(), std::min<std::uint64_t>(into.size(), kUnpackBlock));
     if (got < 0) {
       return damaged(*zip_file_get_error(file_->file));
     }

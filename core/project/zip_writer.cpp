@@ -9,7 +9,7 @@
 namespace graftsman {
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 20;
+constexpr std::size_t kPackBlock = std::size_t{1} << 20;
 constexpr double kPackingShare = 0.7;    // of the progress; writing to the disk is the rest
 constexpr double kProgressStep = 0.001;  // of the packing, between two looks at the progress
 // 1 January 1980, the zip's first day: a project's bytes depend on nothing but its content.
@@ -105,7 +105,7 @@ Result<void> ZipWriter::write(const std::filesystem::path& path, const Progress&
   if (zip_source_stat(packed, &stat) != 0 || zip_source_open(packed) != 0) {
     return cannotPack(*zip_source_error(packed));
   }
-  std::string block(kBlock, '\0');
+  std::string block(kPackBlock, '\0');
   double written = 0;
   const Progress writing = progress.span(kPackingShare, 1);
   return writeFile(path, [&]() -> Result<std::string_view> {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSnapToCurve = 12;  // pixels; a point added closer to the curve than this lies on it
 
-bool isArrow(int key) {
+bool isArrowKey(int key) {
   return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
 }
 
@@ -30,7 +30,7 @@ bool isOurs(const QKeyEvent& event, bool moving) {
     case Qt::Key_End:
       return (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
     default:
-      return isArrow(event.key()) && !event.modifiers().testFlag(Qt::AltModifier);
+      return isArrowKey(event.key()) && !event.modifiers().testFlag(Qt::AltModifier);
   }
 }
 
@@ -146,7 +146,7 @@ void FusionCurveEditor::keyPressEvent(QKeyEvent* event) {
 }
 
 void FusionCurveEditor::keyReleaseEvent(QKeyEvent* event) {
-  if (isArrow(event->key()) && !event->isAutoRepeat() && move_ && move_->byKeys) {
+  if (isArrowKey(event->key()) && !event->isAutoRepeat() && move_ && move_->byKeys) {
     endMove();
     return;
   }

@@ -36,16 +36,16 @@ constexpr std::array<PresetButton, 4> kPresets = {{
      "Leave the seam in the base's direction and reach the part gently: no crease at the seam"},
     {FCF::Preset::Half, "presetHalf", "Half", "Mix the base and the part half and half everywhere"},
 }};
-constexpr int kIconSize = 22;
+constexpr int kPresetIconSize = 22;
 
 QIcon presetIcon(FCF::Preset preset, const QPalette& palette, double ratio) {
-  QPixmap pixmap(QSize(kIconSize, kIconSize) * ratio);
+  QPixmap pixmap(QSize(kPresetIconSize, kPresetIconSize) * ratio);
   pixmap.setDevicePixelRatio(ratio);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor text = palette.color(QPalette::ButtonText);
-  const CurvePlot plot{QRectF(3.5, 3.5, kIconSize - 7, kIconSize - 7)};
+  const CurvePlot plot{QRectF(3.5, 3.5, kPresetIconSize - 7, kPresetIconSize - 7)};
   painter.setPen(QPen(mixed(palette.color(QPalette::Button), text, 0.4), 1));
   painter.drawLine(plot.area.topLeft(), plot.area.bottomLeft());
   painter.drawLine(plot.area.bottomLeft(), plot.area.bottomRight());
@@ -98,7 +98,7 @@ QLayout* FusionCurvePanel::presetRow() {
     button->setAccessibleName(QStringLiteral("Preset %1").arg(QLatin1String(shown.text)));
     button->setToolTip(QLatin1String(shown.toolTip));
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-    button->setIconSize({kIconSize, kIconSize});
+    button->setIconSize({kPresetIconSize, kPresetIconSize});
     button->setCheckable(true);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::StrongFocus);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kDigits = 3;
 constexpr double kPercent = 100;
-constexpr int kIconSize = 14;
+constexpr int kStepIconSize = 14;
 
 enum Column { SwitchColumn, DistanceColumn, ReachedColumn };
 
@@ -124,7 +124,7 @@ QLayout* AdjustmentPanel::stepLines() {
       edit(settings);
     });
   }
-  grid->setColumnMinimumWidth(ReachedColumn, kIconSize);
+  grid->setColumnMinimumWidth(ReachedColumn, kStepIconSize);
   return grid;
 }
 
@@ -249,7 +249,7 @@ void AdjustmentPanel::showReport() {
     const bool ran = report_ && isStep && line.step <= done.reached;
     line.distance->setText(ran ? significant(after[i], kDigits) : QString());
     const bool last = ran && line.step == done.reached;
-    line.reached->setPixmap(last ? icon("ok").pixmap(kIconSize) : QPixmap());
+    line.reached->setPixmap(last ? icon("ok").pixmap(kStepIconSize) : QPixmap());
     line.reached->setAccessibleName(last ? tr("The step reached") : QString());
     line.reached->setToolTip(last ? tr("The adjustment ended with this step") : QString());
   }

@@ -8,7 +8,7 @@
 namespace graftsman {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 constexpr double kNone = -1;
 
 using Triangle = std::array<Point, 3>;
@@ -44,7 +44,7 @@ double angleBetween(const Triangle& a, const Triangle& b) {
   const Eigen::Vector3d normalB = (b[1] - b[0]).cross(b[2] - b[0]);
   const double sine = normalA.cross(normalB).norm();
   const double cosine = normalA.dot(normalB);
-  return sine == 0 && cosine == 0 ? kNone : std::atan2(sine, cosine) * kDegrees;
+  return sine == 0 && cosine == 0 ? kNone : std::atan2(sine, cosine) * kDegreesPerRadian;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace graftsman {
 namespace {
 
-constexpr std::size_t kBlock = 128;
+constexpr std::size_t kRayBlock = 128;
 // A ray along an edge must not slip between its two faces; in barycentric coordinates.
 constexpr float kSlack = 1e-5F;
 
@@ -40,10 +40,10 @@ std::optional<SheetHit> meets(const Eigen::Vector3f& a, const Eigen::Vector3f& b
 }  // namespace
 
 void SheetRays::measure() {
-  boxes_.assign((sheet_.faces.size() + kBlock - 1) / kBlock, Eigen::AlignedBox3f());
+  boxes_.assign((sheet_.faces.size() + kRayBlock - 1) / kRayBlock, Eigen::AlignedBox3f());
   for (std::size_t f = 0; f < sheet_.faces.size(); ++f) {
     for (const Index v : sheet_.faces[f]) {
-      boxes_[f / kBlock].extend(sheet_.position(v));
+      boxes_[f / kRayBlock].extend(sheet_.position(v));
     }
   }
 }
@@ -56,8 +56,8 @@ std::optional<SheetHit> SheetRays::nearest(const Eigen::Vector3f& origin, const 
     if (!meets(boxes_[block], origin, perDirection, before)) {
       continue;
     }
-    const std::size_t end = std::min((block + 1) * kBlock, sheet_.faces.size());
-    for (std::size_t f = block * kBlock; f < end; ++f) {
+    const std::size_t end = std::min((block + 1) * kRayBlock, sheet_.faces.size());
+    for (std::size_t f = block * kRayBlock; f < end; ++f) {
       const auto& [a, b, c] = sheet_.faces[f];
       auto hit = meets(sheet_.position(a), sheet_.position(b), sheet_.position(c), origin, direction);
       if (hit && hit->distance > 0 && hit->distance < before) {
