@@ -10,12 +10,34 @@ QString tr(const char* text) {
   return QCoreApplication::translate("graftsman::EditCommand", text);
 }
 
-Touched cv(int number) {
-  return {number, {}};
+Touched cv(int number, std::optional<Side> side = {}) {
+  Touched touched;
+  touched.cv = number;
+  touched.side = side;
+  return touched;
 }
 
 Touched curvePoint(int point) {
-  return {{}, point};
+  Touched touched;
+  touched.curvePoint = point;
+  return touched;
+}
+
+Touched adjustment() {
+  Touched touched;
+  touched.adjustment = true;
+  return touched;
+}
+
+// Without what went away on the way from `before` to `after`: another one has its number now.
+Touched stillThere(Touched touched, const Document& before, const Document& after) {
+  if (after.inputs.loop.size() < before.inputs.loop.size()) {
+    touched.cv.reset();
+  }
+  if (after.inputs.fcf.points().size() < before.inputs.fcf.points().size()) {
+    touched.curvePoint.reset();
+  }
+  return touched;
 }
 
 Document withCurve(const DocumentModel& model, const FCF& curve) {
@@ -71,11 +93,11 @@ EditCommand::EditCommand(DocumentModel& model, Document after, const QString& te
       touched_(touched) {}
 
 void EditCommand::undo() {
-  model_.apply(before_, Change::History, touched_);
+  model_.apply(before_, Change::History, stillThere(touched_, after_, before_));
 }
 
 void EditCommand::redo() {
-  model_.apply(after_, done_ ? Change::History : Change::Edit, touched_);
+  model_.apply(after_, done_ ? Change::History : Change::Edit, stillThere(touched_, before_, after_));
   done_ = true;
 }
 
@@ -87,11 +109,12 @@ InsertCVP::InsertCVP(DocumentModel& model, Document after, int number)
 
 MoveCVP::MoveCVP(DocumentModel& model, Document after, int number, Side side)
     : EditCommand(model, std::move(after), tr("Move CV %1 on the %2").arg(number).arg(label(side)),
-                  cv(number)) {}
+                  cv(number, side)) {}
 
 RemoveCVP::RemoveCVP(DocumentModel& model, Document after, int first, int count)
     : EditCommand(model, std::move(after),
-                  count == 1 ? tr("Remove pair %1").arg(first) : tr("Remove %1 pairs").arg(count)) {}
+                  count == 1 ? tr("Remove pair %1").arg(first) : tr("Remove %1 pairs").arg(count),
+                  cv(first)) {}
 
 CloseLoop::CloseLoop(DocumentModel& model, Document after)
     : EditCommand(model, std::move(after), tr("Close the loop")) {}
@@ -145,11 +168,11 @@ SetFCFMonotone::SetFCFMonotone(DocumentModel& model, const FCF& curve)
 
 SetAdjustment::SetAdjustment(DocumentModel& model, const AdjustmentSettings& settings)
     : EditCommand(model, withAdjustment(model, settings),
-                  adjustmentText(model.committed().inputs.adjustment, settings)) {}
+                  adjustmentText(model.committed().inputs.adjustment, settings), adjustment()) {}
 
 RunAdjustment::RunAdjustment(DocumentModel& model)
     : EditCommand(model, withAdjustment(model, everyStepOn(model.committed().inputs.adjustment)),
-                  tr("Run the adjustment")) {}
+                  tr("Run the adjustment"), adjustment()) {}
 
 QString label(FCF::Preset preset) {
   switch (preset) {

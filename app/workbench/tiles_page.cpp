@@ -113,8 +113,10 @@ void TilesPage::showDocument(Change change, const Touched& touched) {
   showLoop();
   if (change == Change::History && touched.cv &&
       *touched.cv < static_cast<int>(document.inputs.loop.size())) {
-    for (MeshPane* pane : panes_) {
-      pane->flashCV(*touched.cv);
+    for (const Side side : kSides) {
+      if (!touched.side || *touched.side == side) {
+        pane(side)->flashCV(*touched.cv);
+      }
     }
   }
 }
