@@ -6,6 +6,7 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -77,19 +78,27 @@ struct Workbench {
     pane->setCamera({mesh.point(vertex) + 0.25 * mesh.diagonal() * normal, mesh.point(vertex), up});
   }
 
-  /// Clicks on a vertex of the pane's mesh.
-  void clickVertex(Side side, Index vertex) const {
-    const auto& mesh = side == Side::Part ? document().inputs.part : document().inputs.base;
+  [[nodiscard]] const TriangleMesh& mesh(Side side) const {
+    return side == Side::Part ? *document().inputs.part : *document().inputs.base;
+  }
+
+  /// Where a vertex is seen after the pane's camera was turned to it and the mesh was made ready.
+  [[nodiscard]] QPoint placeOf(Side side, Index vertex) const {
     QPoint at;
     const auto inView = [&] {
-      lookAt(pane(side), *mesh, vertex);
-      at = pane(side)->screenPosition(mesh->point(vertex)).toPoint();
+      lookAt(pane(side), mesh(side), vertex);
+      at = pane(side)->screenPosition(mesh(side).point(vertex)).toPoint();
       return pane(side)->pickAt(at, false).has_value();
     };
-    // Not before the mesh is made ready.
     if (!QTest::qWaitFor(inView, kPatienceMs)) {
       qFatal("nothing to pick");
     }
+    return at;
+  }
+
+  /// Clicks on a vertex of the pane's mesh.
+  void clickVertex(Side side, Index vertex) const {
+    const QPoint at = placeOf(side, vertex);
     QTest::mouseMove(pane(side), at);
     QTest::mouseClick(pane(side), Qt::LeftButton, {}, at);
   }
@@ -102,6 +111,20 @@ struct Workbench {
     QApplication::sendEvent(target, &enter);
     QDropEvent dropped(at, Qt::CopyAction, &data, Qt::LeftButton, {});
     QApplication::sendEvent(target, &dropped);
+  }
+
+  /// Waits for a dialog of this name, types the path as a person would, and accepts.
+  void answerFileDialog(const char* name, const QString& path) const {
+    auto* dialog = window->findChild<QFileDialog*>(name);
+    if (!dialog || !QTest::qWaitForWindowExposed(dialog)) {
+      qFatal("no dialog %s", name);
+    }
+    auto* typed = dialog->findChild<QLineEdit*>("fileNameEdit");
+    typed->setFocus();
+    typed->selectAll();
+    QTest::keyClicks(typed, path);
+    QTest::keyClick(typed, Qt::Key_Return);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   }
 
   /// What the status bar says.
