@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QPointer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -37,10 +38,7 @@ struct Workbench {
     window = std::make_unique<MainWindow>(recovery.isEmpty() ? folder.filePath("recovery") : recovery);
     window->resize(1280, 800);
     window->show();
-    window->activateWindow();
-    if (!QTest::qWaitForWindowActive(window.get())) {
-      qFatal("the window does not become active");
-    }
+    activate();
   }
 
   [[nodiscard]] MeshPane* pane(Side side) const {
@@ -123,8 +121,27 @@ struct Workbench {
     typed->setFocus();
     typed->selectAll();
     QTest::keyClicks(typed, path);
-    QTest::keyClick(typed, Qt::Key_Return);
+    // The first Return may be the completer's.
+    const QPointer<QFileDialog> open(dialog);
+    const auto closed = [&] {
+      if (open && open->isVisible()) {
+        QTest::keyClick(typed, Qt::Key_Return);
+      }
+      return !open || !open->isVisible();
+    };
+    if (!QTest::qWaitFor(closed, kPatienceMs)) {
+      qFatal("%s does not take %s", name, qPrintable(path));
+    }
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    activate();
+  }
+
+  /// Takes the keyboard back from a dialog: on a bare display no window manager does.
+  void activate() const {
+    window->activateWindow();
+    if (!QTest::qWaitFor([this] { return window->isActiveWindow() || !window->isVisible(); }, kPatienceMs)) {
+      qFatal("the window does not become active");
+    }
   }
 
   /// What the status bar says.
