@@ -12,12 +12,39 @@ QString tr(const char* text) {
   return QCoreApplication::translate("graftsman::EditCommand", text);
 }
 
-Touched cv(int number) {
-  return {number, {}};
+Touched cv(int number, std::optional<Side> side = {}) {
+  Touched touched;
+  touched.cv = number;
+  touched.side = side;
+  return touched;
 }
 
 Touched curvePoint(int point) {
-  return {{}, point};
+  Touched touched;
+  touched.curvePoint = point;
+  return touched;
+}
+
+Touched adjustment() {
+  Touched touched;
+  touched.adjustment = true;
+  return touched;
+}
+
+// Without what went away on the way from `before` to `after`: another one has its number now.
+Touched stillThere(Touched touched, const Document& before, const Document& after, FusionId shown) {
+  const Fusion* from = find(before.fusions, shown);
+  const Fusion* to = find(after.fusions, shown);
+  if (from == nullptr || to == nullptr) {
+    return {};
+  }
+  if (to->inputs.loop.size() < from->inputs.loop.size()) {
+    touched.cv.reset();
+  }
+  if (to->inputs.fcf.points().size() < from->inputs.fcf.points().size()) {
+    touched.curvePoint.reset();
+  }
+  return touched;
 }
 
 Fusion withCurve(const DocumentModel& model, const FCF& curve) {
@@ -83,11 +110,12 @@ EditCommand::EditCommand(DocumentModel& model, Document after, FusionId shown, c
       shownAfter_(shown) {}
 
 void EditCommand::undo() {
-  model_.apply(before_, shownBefore_, Change::History, touched_);
+  model_.apply(before_, shownBefore_, Change::History, stillThere(touched_, after_, before_, shownBefore_));
 }
 
 void EditCommand::redo() {
-  model_.apply(after_, shownAfter_, done_ ? Change::History : Change::Edit, touched_);
+  model_.apply(after_, shownAfter_, done_ ? Change::History : Change::Edit,
+               stillThere(touched_, before_, after_, shownAfter_));
   done_ = true;
 }
 
@@ -99,11 +127,12 @@ InsertCVP::InsertCVP(DocumentModel& model, Fusion after, int number)
 
 MoveCVP::MoveCVP(DocumentModel& model, Fusion after, int number, Side side)
     : EditCommand(model, std::move(after), tr("Move CV %1 on the %2").arg(number).arg(label(side)),
-                  cv(number)) {}
+                  cv(number, side)) {}
 
 RemoveCVP::RemoveCVP(DocumentModel& model, Fusion after, int first, int count)
     : EditCommand(model, std::move(after),
-                  count == 1 ? tr("Remove pair %1").arg(first) : tr("Remove %1 pairs").arg(count)) {}
+                  count == 1 ? tr("Remove pair %1").arg(first) : tr("Remove %1 pairs").arg(count),
+                  cv(first)) {}
 
 CloseLoop::CloseLoop(DocumentModel& model, Fusion after)
     : EditCommand(model, std::move(after), tr("Close the loop")) {}
@@ -157,11 +186,11 @@ SetFCFMonotone::SetFCFMonotone(DocumentModel& model, const FCF& curve)
 
 SetAdjustment::SetAdjustment(DocumentModel& model, const AdjustmentSettings& settings)
     : EditCommand(model, withAdjustment(model, settings),
-                  adjustmentText(model.committed().inputs.adjustment, settings)) {}
+                  adjustmentText(model.committed().inputs.adjustment, settings), adjustment()) {}
 
 RunAdjustment::RunAdjustment(DocumentModel& model)
     : EditCommand(model, withAdjustment(model, everyStepOn(model.committed().inputs.adjustment)),
-                  tr("Run the adjustment")) {}
+                  tr("Run the adjustment"), adjustment()) {}
 
 QString label(FCF::Preset preset) {
   switch (preset) {

@@ -13,7 +13,9 @@ class EditCommand;
 /// What an edit touched, so that undo and redo can show it.
 struct Touched {
   std::optional<int> cv;
+  std::optional<Side> side;  // of the CV, where the other one stayed
   std::optional<int> curvePoint;
+  bool adjustment = false;
 };
 
 /// Why what is shown changed.

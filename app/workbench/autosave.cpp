@@ -39,7 +39,8 @@ Autosave::Autosave(DocumentModel& model, ProjectFiles& files, JobQueue& jobs, co
       files_(files),
       jobs_(jobs),
       path_(newPath(folder)),
-      lock_(lockPath(path_)) {
+      lock_(lockPath(path_)),
+      timer_(this) {
   lock_.setStaleLockTime(0);
   lock_.tryLock();
   connect(&model, &DocumentModel::changed, this, [this](Change change) {

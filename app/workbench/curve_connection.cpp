@@ -2,6 +2,8 @@
 #include "app/workbench/fusion_page.h"
 #include "widgets/curve/fusion_curve_editor.h"
 #include "widgets/curve/fusion_curve_panel.h"
+#include "widgets/panels/flash.h"
+#include "widgets/theme/theme.h"
 #include "widgets/viewport/result_pane.h"
 
 namespace graftsman {
@@ -22,8 +24,13 @@ void connectCurve(FusionCurvePanel& panel, DocumentModel& model, FusionPage& pag
                    [&panel, &model, editor](Change change, const Touched& touched) {
                      panel.setCurve(model.fusion().inputs.fcf);
                      const auto points = static_cast<int>(model.fusion().inputs.fcf.points().size());
-                     if (change == Change::History && touched.curvePoint) {
-                       editor->selectPoint(*touched.curvePoint < points ? *touched.curvePoint : -1);
+                     if (change == Change::History && touched.curvePoint && *touched.curvePoint < points) {
+                       editor->selectPoint(*touched.curvePoint);
+                       const FCFPoint& at =
+                           editor->curve().points()[static_cast<std::size_t>(*touched.curvePoint)];
+                       constexpr int kAround = sizes::kHitArea / 2;
+                       flash(*editor, QRect(editor->position(at).toPoint() - QPoint(kAround, kAround),
+                                            QSize(sizes::kHitArea, sizes::kHitArea)));
                      }
                    });
   QObject::connect(editor, &FusionCurveEditor::moved, &panel,

@@ -55,8 +55,16 @@ Remedy remedyFor(const Error& error) {
     case ErrorCode::TileNotSeparated:
       return Remedy::OpenLoop;
     default:
-      return Remedy::None;
+      return error.cvs.empty() ? Remedy::None : Remedy::ShowCV;
   }
+}
+
+// The CV that the message asks to move; −1: none.
+int cvToShow(const Error& error) {
+  if (error.cvs.empty()) {
+    return -1;
+  }
+  return error.code == ErrorCode::PathsCross ? error.cvs[1] : error.cvs[0];
 }
 
 Verdict guidance(Side side, const Fusion& fusion, const std::optional<HalfPair>& half) {
@@ -134,7 +142,7 @@ SideView viewLoop(Side side, const Fusion& fusion, const Outcome* outcome,
     view.marks.tile = fusion.closed && results ? results->tile : nullptr;
   }
   if (error) {
-    view.verdict = {QString::fromStdString(error->message), true, remedyFor(*error)};
+    view.verdict = {QString::fromStdString(error->message), true, remedyFor(*error), cvToShow(*error)};
   } else if (fusion.closed && view.marks.tile) {
     view.verdict.text =
         tr("The tile is a disk of %1 faces").arg(QLocale().toString(view.marks.tile->faces.size()));
@@ -173,8 +181,8 @@ std::vector<PairRow> pairRows(const Fusion& fusion, const Outcome* outcome,
   return rows;
 }
 
-QString label(Remedy remedy) {
-  switch (remedy) {
+QString remedyText(const Verdict& verdict) {
+  switch (verdict.remedy) {
     case Remedy::None:
       return {};
     case Remedy::ReverseLoop:
@@ -183,6 +191,8 @@ QString label(Remedy remedy) {
       return tr("Open the loop");
     case Remedy::CloseLoop:
       return tr("Close the loop");
+    case Remedy::ShowCV:
+      return tr("Show CV %1").arg(verdict.cv);
   }
   return {};
 }

@@ -14,13 +14,14 @@
 namespace graftsman {
 
 /// What a person can do about a loop that makes no fusion.
-enum class Remedy { None, ReverseLoop, OpenLoop, CloseLoop };
+enum class Remedy { None, ReverseLoop, OpenLoop, CloseLoop, ShowCV };
 
 /// What stands below a pane.
 struct Verdict {
   QString text;
   bool problem = false;
   Remedy remedy = Remedy::None;
+  int cv = -1;  // that ShowCV shows
 };
 
 /// One mesh's side of the loop, as the window shows it.
@@ -41,7 +42,7 @@ struct SideView {
 /// Why there is no result; null: there is one, or nothing was tried.
 [[nodiscard]] const Error* errorOf(const Outcome* outcome);
 
-/// "Reverse the loop", …: the text of a remedy's button; empty for none.
-[[nodiscard]] QString label(Remedy remedy);
+/// "Reverse the loop", …: the text of the remedy's button; empty for none.
+[[nodiscard]] QString remedyText(const Verdict& verdict);
 
 }  // namespace graftsman

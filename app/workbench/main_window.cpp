@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QUndoView>
+#include <algorithm>
 
 #include "app/document/commands.h"
 #include "app/document/loop_editor.h"
@@ -27,6 +28,7 @@
 #include "widgets/panels/pairs_model.h"
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/stages_panel.h"
+#include "widgets/theme/theme.h"
 #include "widgets/viewport/mesh_pane.h"
 #include "widgets/viewport/result_pane.h"
 
@@ -43,6 +45,7 @@ constexpr int kLayoutVersion = 1;
 constexpr int kQuietMs = 150;
 
 constexpr QSize kFirstSize(1280, 800);
+constexpr int kDockFrame = 7 * sizes::kGrid;  // about a dock's title and the tabs above it
 
 bool onlyCurveDiffers(Fusion a, const Fusion& b) {
   a.inputs.fcf = b.inputs.fcf;
@@ -114,17 +117,17 @@ void MainWindow::makePanels() {
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   pairsDock_ = addDock("pairsDock", tr("Pairs"), pairs_);
   curveDock_ = addDock("curveDock", tr("Fusion curve"), curve_);
-  QDockWidget* adjustment = addDock("adjustmentDock", tr("Adjustment"), adjustment_);
+  adjustmentDock_ = addDock("adjustmentDock", tr("Adjustment"), adjustment_);
   QDockWidget* stages = addDock("stagesDock", tr("Stages"), stages_);
   auto* view = new QUndoView(model_->history());
   view->setObjectName("historyView");
   view->setAccessibleName(tr("History"));
   view->setEmptyLabel(tr("As opened"));
   QDockWidget* history = addDock("historyDock", tr("History"), view);
-  tabifyDockWidget(adjustment, stages);
+  tabifyDockWidget(adjustmentDock_, stages);
   tabifyDockWidget(stages, history);
-  adjustment->raise();
-  sharedDocks_ = {adjustment, stages, history};
+  adjustmentDock_->raise();
+  sharedDocks_ = {adjustmentDock_, stages, history};
   for (QDockWidget* dock : sharedDocks_) {
     connect(dock->toggleViewAction(), &QAction::triggered, dock,
             [dock](bool shown) { dock->setProperty(kClosedByPerson, !shown); });
@@ -156,12 +159,17 @@ void MainWindow::makeToolBar() {
 }
 
 void MainWindow::connectDocument() {
-  connect(model_, &DocumentModel::changed, this, [this](Change change) {
+  connect(model_, &DocumentModel::changed, this, [this](Change change, const Touched& touched) {
     const Fusion& fusion = model_->fusion();
+    if (change == Change::History && touched.adjustment) {
+      adjustmentDock_->raise();
+      adjustment_->showChange(fusion.inputs.adjustment);
+    } else if (change != Change::Drag) {
+      adjustment_->setSettings(fusion.inputs.adjustment);
+    }
     if (change == Change::Upstream) {
       // What was computed just now: nothing is to be asked for.
     } else if (change != Change::Drag || !model_->dragging()) {
-      adjustment_->setSettings(fusion.inputs.adjustment);
       requestRun(StageRunner::Urgency::Edit);
       if (mode() == Mode::Start && (fusion.part || fusion.base)) {
         setMode(Mode::Tiles);
@@ -255,9 +263,15 @@ void MainWindow::connectPanels() {
     pairs_->setNext(model_->fusion().closed            ? tr("The loop is closed: %1 pairs").arg(pairs)
                     : half && half->side == Side::Part ? tr("next: on the base")
                     : half                             ? tr("next: on the part")
-                                                       : tr("next: on either mesh"));
+                    : model_->fusion().part && model_->fusion().base ? tr("next: on either mesh")
+                                                                     : tr("Load a part and a base first"));
   };
   connect(model_, &DocumentModel::changed, pairs_, showRows);
+  connect(model_, &DocumentModel::changed, pairs_, [this](Change change, const Touched& touched) {
+    if (change == Change::History && touched.cv) {
+      pairs_->flashRow(*touched.cv);
+    }
+  });
   connect(editor_, &LoopEditor::halfPairChanged, pairs_, showRows);
   showRows();
   connect(editor_, &LoopEditor::selectionChanged, pairs_, &PairsPanel::setSelected);
@@ -308,10 +322,12 @@ void MainWindow::showDocksOf(Mode mode) {
   for (QDockWidget* dock : sharedDocks_) {
     dock->setVisible(mode != Mode::Start && !dock->property(kClosedByPerson).toBool());
   }
-  if (!laidOut_ && mode != Mode::Start) {
-    const int height = pages_->height();
-    resizeDocks({mode == Mode::Tiles ? pairsDock_ : curveDock_, sharedDocks_.first()},
-                {height * 3 / 5, height * 2 / 5}, Qt::Vertical);
+  if (mode != Mode::Start && !laidOut_.contains(mode)) {
+    laidOut_.insert(mode);
+    const int wanted = adjustment_->sizeHint().height() + kDockFrame;
+    const int lower = std::min(wanted, pages_->height() / 2);
+    resizeDocks({mode == Mode::Tiles ? pairsDock_ : curveDock_, adjustmentDock_},
+                {pages_->height() - lower, lower}, Qt::Vertical);
   }
 }
 
@@ -334,15 +350,18 @@ Viewport* MainWindow::currentViewport() const {
   if (mode() == Mode::Fusion) {
     return fusion_->pane();
   }
+  // The pane under the pointer, else the one with the keyboard.
   MeshPane* part = tiles_->pane(Side::Part);
-  return part->hasFocus() || part->underMouse() ? part : tiles_->pane(Side::Base);
+  MeshPane* base = tiles_->pane(Side::Base);
+  return part->underMouse() || (part->hasFocus() && !base->underMouse()) ? part : base;
 }
 
 void MainWindow::showTitle() {
   const bool modified = !model_->history()->isClean();
   setWindowTitle(tr("%1[*] – Graftsman").arg(files_->name()));
   setWindowModified(modified);
-  status_->showSaved(!modified);
+  const bool anything = modified || !files_->path().isEmpty();
+  status_->showSaved(anything ? std::optional(!modified) : std::nullopt);
 }
 
 void MainWindow::restoreLayout() {
@@ -350,7 +369,9 @@ void MainWindow::restoreLayout() {
   if (!restoreGeometry(settings.value(kGeometryKey).toByteArray())) {
     resize(kFirstSize);
   }
-  laidOut_ = restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
+  if (restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion)) {
+    laidOut_ = {Mode::Tiles, Mode::Fusion};
+  }
 }
 
 void MainWindow::saveLayout() const {

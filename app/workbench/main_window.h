@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 #include <memory>
+#include <set>
 
 #include "app/document/document_model.h"
 #include "app/document/stage_runner.h"
@@ -125,8 +126,9 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   QDockWidget* pairsDock_ = nullptr;
   QDockWidget* curveDock_ = nullptr;
+  QDockWidget* adjustmentDock_ = nullptr;
   QList<QDockWidget*> sharedDocks_;
-  bool laidOut_ = false;  // as the person left it the last time
+  std::set<Mode> laidOut_;  // whose docks have their sizes; the person may have changed them
   QAction* lastTool_ = nullptr;
   bool closing_ = false;  // the person has answered what to do with unsaved work
 };

@@ -68,12 +68,12 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* right = new QVBoxLayout;
   right->setSpacing(sizes::kGrid);
   right->addWidget(heading(tr("Begin"), 1.2));
-  QPushButton* part =
-      wideButton("startLoadPart", tr("Load part"), "load-part", tr("Read the mesh that is pasted"));
-  QPushButton* base =
-      wideButton("startLoadBase", tr("Load base"), "load-base", tr("Read the mesh that receives the part"));
+  QPushButton* part = wideButton("startLoadPart", tr("Load part"), "load-part",
+                                 tr("Read the mesh that is pasted (Ctrl+Shift+P)"));
+  QPushButton* base = wideButton("startLoadBase", tr("Load base"), "load-base",
+                                 tr("Read the mesh that receives the part (Ctrl+Shift+B)"));
   QPushButton* open =
-      wideButton("startOpen", tr("Open a project"), "open", tr("Open a project or a scenario"));
+      wideButton("startOpen", tr("Open a project"), "open", tr("Open a project or a scenario (Ctrl+O)"));
   connect(part, &QPushButton::clicked, this, [this] { Q_EMIT loadWanted(Side::Part); });
   connect(base, &QPushButton::clicked, this, [this] { Q_EMIT loadWanted(Side::Base); });
   connect(open, &QPushButton::clicked, this, &StartPage::openDialogWanted);

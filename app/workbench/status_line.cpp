@@ -8,6 +8,7 @@
 #include "app/document/commands.h"
 #include "app/document/stage_runner.h"
 #include "widgets/theme/icon.h"
+#include "widgets/theme/theme.h"
 
 namespace graftsman {
 
@@ -21,6 +22,7 @@ StatusLine::StatusLine(QWidget* parent)
       saved_(new QLabel) {
   setObjectName("statusLine");
   setSizeGripEnabled(false);
+  setContentsMargins(sizes::kGrid, 0, sizes::kGrid, 0);
   icon_->setObjectName("statusIcon");
   icon_->setPixmap(icon("problem").pixmap(16));
   icon_->setAccessibleName(tr("Problem"));
@@ -87,8 +89,8 @@ void StatusLine::showOutcome(const Outcome& outcome) {
       tr("%1 vertices · %2 ms").arg(QLocale().toString(outcome.results->fused->points.size()), time_));
 }
 
-void StatusLine::showSaved(bool saved) {
-  saved_->setText(saved ? tr("saved") : tr("not saved"));
+void StatusLine::showSaved(std::optional<bool> saved) {
+  saved_->setText(!saved ? QString() : *saved ? tr("saved") : tr("not saved"));
 }
 
 void StatusLine::tell(const QString& message) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QStatusBar>
+#include <optional>
 
 class QLabel;
 class QProgressBar;
@@ -23,8 +24,8 @@ class StatusLine : public QStatusBar {
   void showIdle();
   /// "12,425 vertices · 8 ms".
   void showOutcome(const Outcome& outcome);
-  /// "saved", "not saved".
-  void showSaved(bool saved);
+  /// "saved", "not saved"; nothing: there is nothing to save.
+  void showSaved(std::optional<bool> saved);
   /// A sentence that is worth reading; stays until something else happens.
   void tell(const QString& message);
   /// The same for what went wrong, with an icon.

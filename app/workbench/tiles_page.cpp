@@ -75,7 +75,15 @@ void TilesPage::connectPane(Side side) {
     }
   });
   connect(frame, &PaneFrame::enlargeToggled, this, [=, this](bool enlarged) { enlarge(side, enlarged); });
-  connect(frame, &PaneFrame::remedyClicked, this, [=, this] { Q_EMIT remedyWanted(remedies_[index(side)]); });
+  connect(frame, &PaneFrame::remedyClicked, this, [=, this] {
+    const Verdict verdict = verdicts_[index(side)];
+    if (verdict.remedy == Remedy::ShowCV) {
+      editor_.select({verdict.cv});
+      pane->flashCV(verdict.cv);
+    } else {
+      Q_EMIT remedyWanted(verdict.remedy);
+    }
+  });
 }
 
 void TilesPage::setOutcome(std::shared_ptr<const Outcome> outcome) {
@@ -112,8 +120,10 @@ void TilesPage::showDocument(Change change, const Touched& touched) {
   showTitles();
   showLoop();
   if (change == Change::History && touched.cv && *touched.cv < static_cast<int>(fusion.inputs.loop.size())) {
-    for (MeshPane* pane : panes_) {
-      pane->flashCV(*touched.cv);
+    for (const Side side : kSides) {
+      if (!touched.side || *touched.side == side) {
+        pane(side)->flashCV(*touched.cv);
+      }
     }
   }
 }
@@ -130,9 +140,9 @@ void TilesPage::showLoop() {
     SideView view = viewLoop(side, model_.fusion(), outcome_.get(), editor_.halfPair(), editor_.selection());
     pane(side)->setMarks(std::move(view.marks));
     PaneFrame* frame = frames_[index(side)];
-    remedies_[index(side)] = view.verdict.remedy;
+    verdicts_[index(side)] = view.verdict;
     if (view.verdict.problem) {
-      frame->setProblem(view.verdict.text, label(view.verdict.remedy));
+      frame->setProblem(view.verdict.text, remedyText(view.verdict));
     } else {
       frame->setProblem({}, {});
       frame->setHint(view.verdict.text);

@@ -58,7 +58,7 @@ class TilesPage : public QWidget {
   QSplitter* splitter_ = nullptr;
   std::array<MeshPane*, 2> panes_ = {};
   std::array<PaneFrame*, 2> frames_ = {};
-  std::array<Remedy, 2> remedies_ = {};
+  std::array<Verdict, 2> verdicts_;
   std::array<std::shared_ptr<const TriangleMesh>, 2> meshes_;  // that the panes were aimed at
   std::optional<std::array<CameraLink, 2>> links_;  // from each side to the other; none: not linked
 };

@@ -14,6 +14,9 @@
 #include "app/workbench/main_window.h"
 #include "app/workbench/status_line.h"
 #include "app/workbench/tiles_page.h"
+#include "widgets/curve/fusion_curve_editor.h"
+#include "widgets/curve/fusion_curve_panel.h"
+#include "widgets/panels/adjustment_panel.h"
 #include "widgets/viewport/mesh_pane.h"
 #include "widgets/viewport/result_pane.h"
 
@@ -47,9 +50,13 @@ void MainWindow::connectActions() {
       model_->cancelDrag();
     } else {
       model_->history()->undo();
+      status_->tell(tr("Undone: %1").arg(model_->history()->redoText()));
     }
   });
-  onTrigger(actions, "redo", this, [this] { model_->history()->redo(); });
+  onTrigger(actions, "redo", this, [this] {
+    model_->history()->redo();
+    status_->tell(tr("Done again: %1").arg(model_->history()->undoText()));
+  });
   for (auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged}) {
     connect(model_->history(), signal, this, &MainWindow::showUndoTexts);
   }
@@ -195,6 +202,7 @@ void MainWindow::connectTools() {
     tiles_->addAction(actions[name]);
   }
   fusion_->addAction(actions["repeat"]);
+  curve_->editor()->addAction(actions["repeat"]);
 }
 
 void MainWindow::showUndoTexts() {
@@ -222,6 +230,7 @@ void MainWindow::enableActions() {
   enable("mirror", pairs >= 3);
   enable("clearLoop", pairs > 0);
   enable("runAdjustment", fusion.closed);
+  adjustment_->setRunnable(fusion.closed);
   const bool fused = fusion_->shown() != nullptr;
   const bool current = fused && same(fusion_->shown()->inputs, fusion.inputs);
   enable("exportResult", current);

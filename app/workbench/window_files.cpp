@@ -159,6 +159,9 @@ void MainWindow::askExport() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("obj");
   dialog->selectFile(files_->name() + ".obj");
+  connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+    dialog->setDefaultSuffix(filter.contains("*.glb") ? "glb" : "obj");
+  });
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     files_->exportResult(path, std::make_shared<const FusionResults>(*fusion_->shown()));
   });

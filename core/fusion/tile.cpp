@@ -259,8 +259,8 @@ class TileGatherer {
     }
     return error(ErrorCode::TileClockwise,
                  loopName() + " encloses " + percent +
-                     " % of a closed mesh: it was probably picked clockwise. Reverse it, or set "
-                     "allow_large_tile.");
+                     " % of a closed mesh: it was probably picked clockwise. Reverse it, or allow a "
+                     "large tile.");
   }
 
   [[nodiscard]] Tile build(const Region& region) const {

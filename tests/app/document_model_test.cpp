@@ -79,6 +79,35 @@ class DocumentModelTest : public QObject {
     QCOMPARE(touched, std::optional(3));
   }
 
+  void whatAnUndoTookAwayIsNotTouched() {
+    DocumentModel model;
+    model.reset(samples::fusion("fig4c_cone_sphere"));
+    model.push(std::make_unique<RemoveCVP>(model, edits::removePairs(model.committed(), {2}), 2, 1));
+    std::vector<std::optional<int>> touched;
+    connect(&model, &DocumentModel::changed, this,
+            [&](Change, const Touched& what) { touched.push_back(what.cv); });
+    model.history()->undo();  // the pair is back
+    model.history()->redo();  // another pair has its number
+    QCOMPARE(touched, (std::vector<std::optional<int>>{2, std::nullopt}));
+  }
+
+  void historyTellsOfTheAdjustmentAndOfTheSide() {
+    DocumentModel model;
+    model.reset(samples::fusion("fig4c_cone_sphere"));
+    AdjustmentSettings settings = model.committed().inputs.adjustment;
+    settings.falloff = 3;
+    model.push(std::make_unique<SetAdjustment>(model, settings));
+    model.push(std::make_unique<MoveCVP>(
+        model, *edits::moveCV(model.committed(), 3, Side::Base, SurfacePoint::atVertex(11)), 3, Side::Base));
+    std::vector<Touched> touched;
+    connect(&model, &DocumentModel::changed, this,
+            [&](Change, const Touched& what) { touched.push_back(what); });
+    model.history()->undo();
+    model.history()->undo();
+    QCOMPARE(touched[0].side, std::optional(Side::Base));
+    QVERIFY(!touched[0].adjustment && touched[1].adjustment);
+  }
+
   void hundredsOfRandomEditsUndoAndRedoToEqualInputs() {
     std::mt19937 random(20'261'124);
     DocumentModel model;

@@ -6,7 +6,9 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
+#include <QPointer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -36,10 +38,7 @@ struct Workbench {
     window = std::make_unique<MainWindow>(recovery.isEmpty() ? folder.filePath("recovery") : recovery);
     window->resize(1280, 800);
     window->show();
-    window->activateWindow();
-    if (!QTest::qWaitForWindowActive(window.get())) {
-      qFatal("the window does not become active");
-    }
+    activate();
   }
 
   [[nodiscard]] MeshPane* pane(Side side) const {
@@ -77,19 +76,27 @@ struct Workbench {
     pane->setCamera({mesh.point(vertex) + 0.25 * mesh.diagonal() * normal, mesh.point(vertex), up});
   }
 
-  /// Clicks on a vertex of the pane's mesh.
-  void clickVertex(Side side, Index vertex) const {
-    const auto& mesh = side == Side::Part ? fusion().inputs.part : fusion().inputs.base;
+  [[nodiscard]] const TriangleMesh& mesh(Side side) const {
+    return side == Side::Part ? *fusion().inputs.part : *fusion().inputs.base;
+  }
+
+  /// Where a vertex is seen after the pane's camera was turned to it and the mesh was made ready.
+  [[nodiscard]] QPoint placeOf(Side side, Index vertex) const {
     QPoint at;
     const auto inView = [&] {
-      lookAt(pane(side), *mesh, vertex);
-      at = pane(side)->screenPosition(mesh->point(vertex)).toPoint();
+      lookAt(pane(side), mesh(side), vertex);
+      at = pane(side)->screenPosition(mesh(side).point(vertex)).toPoint();
       return pane(side)->pickAt(at, false).has_value();
     };
-    // Not before the mesh is made ready.
     if (!QTest::qWaitFor(inView, kPatienceMs)) {
       qFatal("nothing to pick");
     }
+    return at;
+  }
+
+  /// Clicks on a vertex of the pane's mesh.
+  void clickVertex(Side side, Index vertex) const {
+    const QPoint at = placeOf(side, vertex);
     QTest::mouseMove(pane(side), at);
     QTest::mouseClick(pane(side), Qt::LeftButton, {}, at);
   }
@@ -102,6 +109,39 @@ struct Workbench {
     QApplication::sendEvent(target, &enter);
     QDropEvent dropped(at, Qt::CopyAction, &data, Qt::LeftButton, {});
     QApplication::sendEvent(target, &dropped);
+  }
+
+  /// Waits for a dialog of this name, types the path as a person would, and accepts.
+  void answerFileDialog(const char* name, const QString& path) const {
+    auto* dialog = window->findChild<QFileDialog*>(name);
+    if (!dialog || !QTest::qWaitForWindowExposed(dialog)) {
+      qFatal("no dialog %s", name);
+    }
+    auto* typed = dialog->findChild<QLineEdit*>("fileNameEdit");
+    typed->setFocus();
+    typed->selectAll();
+    QTest::keyClicks(typed, path);
+    // The first Return may be the completer's.
+    const QPointer<QFileDialog> open(dialog);
+    const auto closed = [&] {
+      if (open && open->isVisible()) {
+        QTest::keyClick(typed, Qt::Key_Return);
+      }
+      return !open || !open->isVisible();
+    };
+    if (!QTest::qWaitFor(closed, kPatienceMs)) {
+      qFatal("%s does not take %s", name, qPrintable(path));
+    }
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    activate();
+  }
+
+  /// Takes the keyboard back from a dialog: on a bare display no window manager does.
+  void activate() const {
+    window->activateWindow();
+    if (!QTest::qWaitFor([this] { return window->isActiveWindow() || !window->isVisible(); }, kPatienceMs)) {
+      qFatal("the window does not become active");
+    }
   }
 
   /// What the status bar says.

@@ -93,8 +93,38 @@ class AdjustmentPanelTest : public QObject {
     QCOMPARE(p.find<QCheckBox>("scaleStep")->text(), QString("2 scale"));
   }
 
+  void whatAnUndoBringsBackFlashesOnce() {
+    Panel p;
+    AdjustmentSettings settings;
+    settings.falloff = 9;
+    settings.rigid = false;
+    p.panel.showChange(settings);
+    QVERIFY(p.edited.empty());
+    QCOMPARE(p.find<QDoubleSpinBox>("falloff")->value(), 9.0);
+    const QList<QWidget*> flashes = p.panel.findChildren<QWidget*>("flash");
+    QCOMPARE(flashes.size(), 2);
+    QVERIFY(flashes[0]->geometry().contains(p.find<QCheckBox>("rigidStep")->geometry().center()));
+    QVERIFY(flashes[1]->geometry().contains(p.find<QDoubleSpinBox>("falloff")->geometry().center()));
+    QSignalSpy gone(flashes[1], &QObject::destroyed);
+    QVERIFY(gone.wait());
+    p.panel.showChange(settings);
+    QVERIFY(p.panel.findChildren<QWidget*>("flash").isEmpty());
+  }
+
+  void whatCannotBeDoneIsOff() {
+    Panel p;
+    p.panel.setRunnable(false);
+    QVERIFY(!p.find<QAbstractButton>("runAdjustment")->isEnabled());
+    QVERIFY(!p.find<QAbstractButton>("showBefore")->isEnabled());
+    p.panel.setRunnable(true);
+    p.panel.setReport(AdjustmentReport{});
+    QVERIFY(p.find<QAbstractButton>("runAdjustment")->isEnabled());
+    QVERIFY(p.find<QAbstractButton>("showBefore")->isEnabled());
+  }
+
   void runAndShownAreTold() {
     Panel p;
+    p.panel.setReport(AdjustmentReport{});
     QSignalSpy run(&p.panel, &AdjustmentPanel::runWanted);
     QTest::mouseClick(p.find<QAbstractButton>("runAdjustment"), Qt::LeftButton);
     QCOMPARE(run.size(), 1);

@@ -189,6 +189,86 @@ class MeshPaneTest : public QObject {
     QVERIFY2(hit >= 5, qPrintable(QString::number(hit)));
   }
 
+  void aPathIsTwoPixelsWide() {
+    MeshPane pane(Side::Base);
+    pane.resize(400, 300);
+    pane.show();
+    QVERIFY(panes::showMesh(pane, shapes::grid(10)));
+    const auto mesh = shapes::grid(10);
+    const Point& middle = mesh->point(60);
+    pane.setCamera({middle + Point(0, 0, 2 * mesh->diagonal()), middle, Eigen::Vector3d::UnitY(),
+                    Eigen::Vector3d::UnitY()});
+    LoopMarks marks;
+    marks.paths.push_back({{mesh->point(57), mesh->point(63)}, 0});
+    pane.setMarks(marks);
+    const QImage picture = pane.picture();
+    const QPoint at = pane.screenPosition((mesh->point(60) + mesh->point(61)) / 2).toPoint();
+    const bool across =
+        pane.screenPosition(mesh->point(57)).x() < pane.screenPosition(mesh->point(63)).x() - 5 ||
+        pane.screenPosition(mesh->point(57)).x() > pane.screenPosition(mesh->point(63)).x() + 5;
+    int dark = 0;
+    for (int i = -8; i <= 8; ++i) {
+      const QColor colour = picture.pixelColor(across ? at + QPoint(0, i) : at + QPoint(i, 0));
+      dark += colour.lightness() < 128 ? 1 : 0;
+    }
+    QVERIFY2(dark >= 2 && dark <= 3, qPrintable(QString::number(dark)));
+  }
+
+  void theKeyboardInsertsOnAPath() {
+    Shown shown("spot.obj");
+    std::mt19937 random(3);
+    const Index vertex = shown.pickable(random);
+    LoopMarks marks;
+    const Point& at = shown.mesh->point(vertex);
+    const Point aside = 0.1 * shown.mesh->diagonal() * Point(1, 0.3, 0).normalized();
+    marks.paths.push_back({{at - aside, at, at + aside}, 4});
+    shown.pane.setMarks(marks);
+    shown.pane.setFocus();
+    QSignalSpy onPath(&shown.pane, &MeshPane::pathClicked);
+    panes::moveTo(shown.pane, shown.place(vertex));
+    // To a neighbour and back: the keyboard's cursor stands on the path.
+    QSignalSpy hovered(&shown.pane, &MeshPane::vertexHovered);
+    const std::array<Qt::Key, 4> keys = {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down};
+    for (int i = 0; i < 40 && onPath.isEmpty(); ++i) {
+      QTest::keyClick(&shown.pane, keys[random() % 4]);
+      QTest::keyClick(&shown.pane, Qt::Key_Return);
+    }
+    QVERIFY(!onPath.isEmpty());
+    QCOMPARE(onPath.first().first().toInt(), 4);
+  }
+
+  void aFlashedCVOutOfSightIsBroughtIntoSight() {
+    Shown shown("spot.obj");
+    // One on the far side, and one beyond the pane's edge.
+    const Camera before = shown.pane.camera();
+    Index behind = 0;
+    double farthest = -1e9;
+    for (Index v = 0; v < shown.mesh->vertexCount(); ++v) {
+      const double depth = (before.pivot - before.position).dot(shown.mesh->point(v));
+      if (depth > farthest) {
+        farthest = depth;
+        behind = v;
+      }
+    }
+    LoopMarks marks;
+    marks.cvs.push_back({SurfacePoint::atVertex(behind), 0});
+    shown.pane.setMarks(marks);
+    QVERIFY(shown.pane.pickAt(shown.place(behind), false) != SurfacePoint::atVertex(behind));
+    QSignalSpy moved(&shown.pane, &Viewport::cameraChanged);
+    shown.pane.flashCV(0);
+    QCOMPARE(moved.size(), 1);
+    QCOMPARE(shown.pane.pickAt(shown.place(behind), false), std::optional(SurfacePoint::atVertex(behind)));
+    // In sight it stays where it is.
+    const Camera seen = shown.pane.camera();
+    shown.pane.flashCV(0);
+    QVERIFY(shown.pane.camera() == seen);
+    const Point aside = 3 * shown.mesh->diagonal() * Point(0, 0, 1);
+    shown.pane.setCamera({seen.position + aside, seen.pivot + aside, seen.up, seen.axis});
+    QVERIFY(!shown.pane.rect().contains(shown.place(behind)));
+    shown.pane.flashCV(0);
+    QVERIFY(shown.pane.rect().contains(shown.place(behind)));
+  }
+
   void theRightButtonOpensTheMenuOnlyOnAClick() {
     Shown shown("spot.obj");
     QSignalSpy menu(&shown.pane, &Viewport::contextMenuWanted);

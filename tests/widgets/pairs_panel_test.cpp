@@ -240,6 +240,20 @@ class PairsPanelTest : public QObject {
     QCOMPARE(shown.selection.count(), 0);
   }
 
+  void aFlashedRowIsScrolledToAndLeavesTheSelection() {
+    ShownPanel shown(40);
+    QVERIFY(shown.ready());
+    shown.panel.setSelected({2});
+    shown.panel.flashRow(33);
+    QTableView* view = shown.panel.view();
+    const QRect row = view->visualRect(shown.panel.model()->index(33, 0));
+    QVERIFY(view->viewport()->rect().contains(row.center()));
+    auto* flash = view->findChild<QWidget*>("flash");
+    QVERIFY(flash && flash->geometry().contains(row.center()));
+    QCOMPARE(view->selectionModel()->selectedRows().size(), 1);
+    QCOMPARE(shown.selection.count(), 0);
+  }
+
   void aSelectionSurvivesAnInsertionBefore() {
     ShownPanel shown(5);
     QVERIFY(shown.ready());

@@ -29,12 +29,12 @@ struct PresetButton {
 
 constexpr std::array<PresetButton, 4> kPresets = {{
     {FCF::Preset::Linear, "presetLinear", "Linear",
-     "Turn evenly from the base at the seam into the part at the centre"},
+     "Turn evenly from the base at the seam into the part at the centre (Shift+1)"},
     {FCF::Preset::Paste, "presetPaste", "Paste",
-     "Take the part as it is, but for a narrow band along the seam"},
+     "Take the part as it is, but for a narrow band along the seam (Shift+2)"},
     {FCF::Preset::KeepBaseSlope, "presetKeepBaseSlope", "Keep base slope",
-     "Leave the seam in the base's direction and reach the part gently: no crease at the seam"},
-    {FCF::Preset::Half, "presetHalf", "Half", "Mix the base and the part half and half everywhere"},
+     "Leave the seam in the base's direction and reach the part gently: no crease at the seam (Shift+3)"},
+    {FCF::Preset::Half, "presetHalf", "Half", "Mix the base and the part half and half everywhere (Shift+4)"},
 }};
 constexpr int kPresetIconSize = 22;
 

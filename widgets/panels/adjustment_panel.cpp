@@ -12,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/panels/flash.h"
 #include "widgets/panels/number_box.h"
 #include "widgets/panels/numbers.h"
 #include "widgets/theme/icon.h"
@@ -73,20 +74,24 @@ AdjustmentPanel::AdjustmentPanel(QWidget* parent) : QWidget(parent) {
   column->addLayout(shownChoice());
   column->addStretch(1);
 
-  auto* scroll = new QScrollArea;
-  scroll->setObjectName("adjustmentScroll");
-  scroll->setAccessibleName(tr("Adjustment"));
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(content->minimumSizeHint().width());
+  scroll_ = new QScrollArea;
+  scroll_->setObjectName("adjustmentScroll");
+  scroll_->setAccessibleName(tr("Adjustment"));
+  scroll_->setWidget(content);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setMinimumWidth(content->minimumSizeHint().width());
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  layout->addWidget(scroll_);
   setSettings({});
   setReport({});
+}
+
+QSize AdjustmentPanel::sizeHint() const {
+  return scroll_->widget()->sizeHint();
 }
 
 QLayout* AdjustmentPanel::stepLines() {
@@ -94,7 +99,7 @@ QLayout* AdjustmentPanel::stepLines() {
   grid->setHorizontalSpacing(sizes::kGrid);
   grid->setVerticalSpacing(sizes::kGrid / 2);
   grid->setColumnStretch(DistanceColumn, 1);
-  grid->addWidget(new QLabel(tr("as given")), 0, SwitchColumn);
+  grid->addWidget(new QLabel(tr("Mean CV distance as given")), 0, SwitchColumn);
   before_ = numberLabel("distanceBefore");
   before_->setToolTip(tr("Mean distance of the pairs before the adjustment, in the base's unit"));
   grid->addWidget(before_, 0, DistanceColumn);
@@ -226,6 +231,33 @@ void AdjustmentPanel::setSettings(const AdjustmentSettings& settings) {
   iterations_->setValue(settings.maxIterations);
 }
 
+void AdjustmentPanel::showChange(const AdjustmentSettings& settings) {
+  const AdjustmentSettings before = settings_;
+  setSettings(settings);
+  for (const StepLine& line : steps_) {
+    if (before.*line.setting != settings.*line.setting) {
+      flashControl(line.box);
+    }
+  }
+  for (const auto& [differs, box] : std::initializer_list<std::pair<bool, QWidget*>>{
+           {before.epsilon != settings.epsilon, epsilon_},
+           {before.falloff != settings.falloff, falloff_},
+           {before.maxIterations != settings.maxIterations, iterations_}}) {
+    if (differs) {
+      flashControl(box);
+    }
+  }
+}
+
+void AdjustmentPanel::flashControl(QWidget* control) {
+  scroll_->ensureWidgetVisible(control);
+  flash(*scroll_->widget(), control->geometry());
+}
+
+void AdjustmentPanel::setRunnable(bool runnable) {
+  run_->setEnabled(runnable);
+}
+
 void AdjustmentPanel::edit(const AdjustmentSettings& settings) {
   if (!(settings == settings_)) {
     settings_ = settings;
@@ -242,6 +274,9 @@ void AdjustmentPanel::showReport() {
   const AdjustmentReport done = report_.value_or(AdjustmentReport{});
   const std::array<double, 3> after = {done.distanceAfterRigid, done.distanceAfterScale,
                                        done.distanceAfterLineField};
+  for (QAbstractButton* button : shown_->buttons()) {
+    button->setEnabled(report_.has_value());
+  }
   before_->setText(report_ ? significant(done.distanceBefore, kDigits) : QString());
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     StepLine& line = steps_[i];

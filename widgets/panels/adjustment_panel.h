@@ -12,6 +12,7 @@ class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QSpinBox;
 
 namespace graftsman {
@@ -25,8 +26,15 @@ class AdjustmentPanel : public QWidget {
 
   /// Shows the document's settings, without any signal.
   void setSettings(const AdjustmentSettings& settings);
+  /// The same for what undo and redo bring back: scrolls to what is different and shows it, once.
+  void showChange(const AdjustmentSettings& settings);
   /// Shows what the last adjustment did; nullopt: there is none.
   void setReport(const std::optional<AdjustmentReport>& report);
+  /// Whether there is something to adjust.
+  void setRunnable(bool runnable);
+
+  /// All of it without scrolling.
+  [[nodiscard]] QSize sizeHint() const override;
 
   enum class Shown { Result, Before, After };  // what the result's pane is to show of the part in place
 
@@ -52,6 +60,7 @@ class AdjustmentPanel : public QWidget {
   [[nodiscard]] QLayout* shownChoice();
   void edit(const AdjustmentSettings& settings);
   void showReport();
+  void flashControl(QWidget* control);
 
   AdjustmentSettings settings_;
   std::optional<AdjustmentReport> report_;
@@ -61,6 +70,7 @@ class AdjustmentPanel : public QWidget {
   QDoubleSpinBox* falloff_ = nullptr;
   QSpinBox* iterations_ = nullptr;
   QPushButton* run_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
   QButtonGroup* shown_ = nullptr;
 };
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/panels/flash.h"
 #include "widgets/panels/pairs_model.h"
 #include "widgets/panels/problem_line.h"
 #include "widgets/theme/theme.h"
@@ -125,6 +126,12 @@ void PairsPanel::setSelected(const QSet<int>& rows) {
   }
   changingRows_ = wasChanging;
   showProblem();
+}
+
+void PairsPanel::flashRow(int row) {
+  view_->scrollTo(model_->index(row, 0));
+  const QRect first = view_->visualRect(model_->index(row, 0));
+  flash(*view_->viewport(), QRect(0, first.top(), view_->viewport()->width(), first.height()));
 }
 
 void PairsPanel::setNext(const QString& text) {

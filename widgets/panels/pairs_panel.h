@@ -23,6 +23,8 @@ class PairsPanel : public QWidget {
   [[nodiscard]] QTableView* view() const { return view_; }
   /// Selects these rows without selectionChanged(); scrolls to the first.
   void setSelected(const QSet<int>& rows);
+  /// Scrolls to a row and shows, once, that it changed.
+  void flashRow(int row);
   void setNext(const QString& text);
 
  Q_SIGNALS:

@@ -3,6 +3,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::size_t kTileAtOnce = 20000;  // faces that are made ready within a frame
 constexpr int kFlashMilliseconds = 700;
+constexpr double kAmbient = 0.1;  // light that shadows keep
 
 std::shared_ptr<const ShownMesh> makeShown(std::shared_ptr<const TriangleMesh> mesh) {
   try {
@@ -32,6 +34,28 @@ vtkSmartPointer<vtkPolyData> makeTile(const std::shared_ptr<const Tile>& tile) {
   }
 }
 
+/// The unit normal of the surface at a point of it.
+Eigen::Vector3d outwardAt(const TriangleMesh& mesh, const SurfacePoint& at) {
+  const auto areaOf = [&](Index face) -> Eigen::Vector3d {
+    const Face& corners = mesh.face(face);
+    const Point& origin = mesh.point(corners[0]);
+    return (mesh.point(corners[1]) - origin).cross(mesh.point(corners[2]) - origin);
+  };
+  if (at.vertex < 0) {
+    return areaOf(at.face).stableNormalized();
+  }
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const Index first = mesh.outgoing(at.vertex);
+  for (Index h = first; h >= 0;) {
+    sum += areaOf(TriangleMesh::faceOf(h));
+    h = mesh.twin(TriangleMesh::prev(h));
+    if (h == first) {
+      break;
+    }
+  }
+  return sum.stableNormalized();
+}
+
 }  // namespace
 
 MeshPane::Content::Content(MeshPane& pane, Side meshSide)
@@ -44,6 +68,8 @@ MeshPane::Content::Content(MeshPane& pane, Side meshSide)
       }) {
   mapper->SetScalarVisibility(false);
   actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(kAmbient);
+  actor->GetProperty()->SetDiffuse(1 - kAmbient);
   actor->SetVisibility(false);
   pane.renderer()->AddActor(actor);
   flash.setStartValue(0.0);
@@ -140,6 +166,30 @@ void MeshPane::flashCV(int number) {
   content_->flash.stop();
   content_->flashed = number;
   content_->flash.start();
+  const auto& cvs = content_->marks.cvs;
+  const auto mark = std::ranges::find(cvs, number, &CVMark::number);
+  if (mark != cvs.end() && content_->ready()) {
+    bringIntoSight(mark->at);
+  }
+}
+
+void MeshPane::bringIntoSight(const SurfacePoint& at) {
+  const auto place = content_->shown->place(at);
+  if (!place) {
+    return;
+  }
+  const CameraView now = view();
+  const bool faces = content_->shown->isVisible(*place, now);
+  const bool within = now.depth(*place) > 0 && QRectF(rect()).contains(now.project(*place));
+  if (faces && within) {
+    return;
+  }
+  Camera camera = moved(now.camera, *place - now.camera.pivot);
+  if (!faces) {
+    const Eigen::Vector3d outward = outwardAt(*content_->wanted, at);
+    camera.position = *place + (camera.position - *place).norm() * outward;
+  }
+  glideTo(camera);
 }
 
 std::optional<SurfacePoint> MeshPane::pickAt(const QPointF& position, bool free) const {

@@ -55,7 +55,7 @@ class MeshPane : public Viewport {
   void setMarks(LoopMarks marks);
   /// Whether clicks may pick (false: the pane only shows).
   void setPicking(bool enabled);
-  /// Shows, once, what an undo or redo changed.
+  /// Shows, once, what an undo or redo changed; the view glides to it where it is out of sight.
   void flashCV(int number);
 
   /// What a click there would take: a vertex of the nearest face hit; or, with `free`, the very point hit.
@@ -103,6 +103,7 @@ class MeshPane : public Viewport {
   void showMesh(std::shared_ptr<const ShownMesh> shown);
   void showMarks();
   void showTile();
+  void bringIntoSight(const SurfacePoint& at);
   void paintProblemPaths(QPainter& painter, const CameraView& view);
   void paintCVs(QPainter& painter, const CameraView& view);
   void paintPointed(QPainter& painter, const CameraView& view);

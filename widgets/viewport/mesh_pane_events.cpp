@@ -349,6 +349,13 @@ void MeshPane::pickByKeyboard() {
   const auto there = std::ranges::find(cvs, at, &CVMark::at);
   if (there != cvs.end()) {
     Q_EMIT cvClicked(there->number);
+    return;
+  }
+  // As a click there.
+  const CameraView now = view();
+  const Pointed pointed = pointedAt(now.project(content_->wanted->point(at.vertex)), false);
+  if (pointed.target == Pointed::Target::Path) {
+    Q_EMIT pathClicked(pointed.number, at);
   } else {
     Q_EMIT surfacePicked(at);
   }

@@ -4,6 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -19,9 +20,9 @@
 namespace graftsman {
 namespace {
 
-// Towards the eye, in VTK's unit of the depth's resolution: lines on a surface are seen whole, those behind
-// it are not.
-constexpr double kTowardsEye = -12;
+// How much nearer to the eye than the surface, in parts of the distance: enough for a line of 3 px on a
+// slope, where a pixel's depth is the greater part of it.
+constexpr double kLift = 4e-3;
 
 }  // namespace
 
@@ -46,8 +47,6 @@ struct LineActor::Parts {
     mapper->SetInputData(lines);
     mapper->SetScalarVisibility(false);
     mapper->SetScalarModeToUseCellData();
-    mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kTowardsEye);
     actor->SetMapper(mapper);
     actor->GetProperty()->SetLighting(false);
     actor->SetForceOpaque(true);
@@ -94,6 +93,15 @@ void LineActor::moved() {
   parts_->positions->Modified();
   parts_->points->Modified();
   parts_->lines->Modified();
+}
+
+void LineActor::liftTowards(const Point& eye) {
+  vtkNew<vtkMatrix4x4> towardsEye;
+  for (int i = 0; i < 3; ++i) {
+    towardsEye->SetElement(i, i, 1 - kLift);
+    towardsEye->SetElement(i, 3, kLift * eye[i]);
+  }
+  parts_->actor->SetUserMatrix(towardsEye);
 }
 
 void LineActor::setColour(const Rgba& colour) {

@@ -30,6 +30,8 @@ class LineActor {
   void setColour(const Rgba& colour);
   /// A colour for each segment instead, copied; empty: none.
   void setColours(std::span<const Rgba> colours);
+  /// Lies a little nearer to this eye than the surface, so that it is seen whole.
+  void liftTowards(const Point& eye);
   /// In device pixels.
   void setWidth(double width);
   void setVisible(bool visible);

@@ -113,6 +113,11 @@ void MorphScene::setPart(std::optional<StillSheet> part) {
   applyLook();
 }
 
+void MorphScene::prepare(const Point& eye) {
+  seamLine_.liftTowards(eye);
+  ringActor_.liftTowards(eye);
+}
+
 void MorphScene::colour() {
   colours_.emplace(*surface_, look_.colouring, look_.theme);
   showColours();
@@ -127,7 +132,7 @@ void MorphScene::showColours() {
 }
 
 void MorphScene::applyLook() {
-  const Rgba edge = rgba(look_.theme.dark ? QColor(0x20, 0x22, 0x25) : QColor(0x50, 0x55, 0x5A));
+  const Rgba edge = rgba(look_.theme.dark ? QColor(0x38, 0x3B, 0x3F) : QColor(0x78, 0x7D, 0x82));
   for (SheetActor* sheet : {&rest_, &rim_, &tile_, &partSheet_}) {
     sheet->setWireframe(look_.wireframe);
     sheet->setEdges(look_.edges && !look_.wireframe ? look_.ratio : 0, edge);

@@ -37,6 +37,8 @@ class MorphScene {
   void setRing(std::optional<double> s);
   /// Shows a tile of the part over the result's, which becomes faint; nothing: as usual.
   void setPart(std::optional<StillSheet> part);
+  /// Before each frame: lines lie in front of the surface as seen from `eye`.
+  void prepare(const Point& eye);
   /// Nothing is shown: null.
   [[nodiscard]] const SurfaceColours* colours() const { return colours_ ? &*colours_ : nullptr; }
 

@@ -274,6 +274,10 @@ std::optional<Point> ResultPane::surfaceAt(const QPointF& position) const {
              : std::nullopt;
 }
 
+void ResultPane::prepareFrame(const CameraView& view) {
+  content_->scene.prepare(view.camera.position);
+}
+
 void ResultPane::paintOver(QPainter& painter, const CameraView& view) {
   if (const SurfaceColours* const colours = content_->scene.colours()) {
     painter.setFont(font());

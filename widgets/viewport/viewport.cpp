@@ -62,6 +62,8 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_un
   window->SetOwnContext(0);
   window->SetFrameBlitModeToNoBlit();
   window->SetMultiSamples(0);
+  // A forward-compatible context draws every line 1 px wide, whatever the driver says: VTK is to widen them.
+  window->SetForceMaximumHardwareLineWidth(1);
   window->AddRenderer(scene_->renderer);
   answerWindow();
 
@@ -69,8 +71,8 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_un
   renderer.SetUseFXAA(true);
   renderer.SetGradientBackground(true);
   renderer.SetAutomaticLightCreation(false);
-  addLight(renderer, -0.6, 0.9, 1, 0.85);
-  addLight(renderer, 0.9, -0.3, 0.6, 0.3);
+  addLight(renderer, -0.4, 0.5, 1, 0.8);
+  addLight(renderer, 0.7, -0.5, 0.8, 0.35);
   renderer.GetActiveCamera()->SetViewAngle(CameraView::kAngle * 180 / std::numbers::pi);
   setBackground();
 

@@ -87,6 +87,8 @@ class Viewport : public QOpenGLWidget {
 
  protected:
   [[nodiscard]] vtkRenderer* renderer() const;
+  /// Lets the view glide to a camera that is the person's from now on.
+  void glideTo(const Camera& camera);
   /// Asks for a new frame.
   void renderLater();
   /// The camera with the pane's size.
@@ -132,7 +134,6 @@ class Viewport : public QOpenGLWidget {
   /// The person moves the camera.
   void moveCamera(const Camera& camera);
   void prepareGlide();
-  void glideTo(const Camera& camera);
   void endGlide();
   void zoomAt(const QPointF& position, double factor);
   void navigate(const QPointF& position);
