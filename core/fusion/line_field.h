@@ -39,21 +39,22 @@ class LineField {
   /// Points that stay in the nearest cache while all lines pass over them.
   static constexpr std::size_t kBlock = 256;
   struct Block;
+  struct Approach;
 
   void load(const double* coordinates, Block& block) const;
-  static void addLine(const FastLine& line, Block& block, auto power);
-  void addLines(Block& block) const;
+  static void approach(const FastLine& line, const Block& block, Approach& to);
+  static void addLine(const FastLine& line, const Approach& from, Block& block, auto power);
+  void addLines(Block& block, std::span<const Point> next) const;
   static bool isRight(const Block& block, std::size_t j);
   static bool areRight(const Block& block);
   void store(const Block& block, double* coordinates) const;
-  void moveBlock(std::span<Point, kBlock> points) const;
+  void moveBlock(std::span<Point, kBlock> points, std::span<const Point> next) const;
   [[nodiscard]] Point moved(const Point& point) const;
 
   std::vector<BoundaryLine> lines_;
   std::vector<FastLine> fastLines_;
   double size_;
   double falloff_;
-  double longest_ = 0;  // line, in units of size_
 };
 
 }  // namespace graftsman

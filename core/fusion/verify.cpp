@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/mesh/triangle_distance.h"
+
 namespace graftsman {
 namespace {
 
@@ -18,28 +20,6 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kCornerRounding = 4 * 2.220446049250313e-16;
 // A position's rounding, in units of the greatest coordinate: a sum of three products, each rounded.
 constexpr double kPositionRounding = 8 * 2.220446049250313e-16;
-
-double distanceToSegment(const Point& p, const Point& a, const Point& b) {
-  const Eigen::Vector3d ab = b - a;
-  const double squared = ab.squaredNorm();
-  const double t = squared > 0 ? std::clamp(ab.dot(p - a) / squared, 0.0, 1.0) : 0;
-  return (p - (a + t * ab)).norm();
-}
-
-// From a triangle: the nearest of its edges, or its plane where p is above the inside. Needles keep their
-// accuracy.
-double distanceToTriangle(const Point& p, const Point& a, const Point& b, const Point& c) {
-  const double edges =
-      std::min({distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
-  const Eigen::Vector3d normal = (b - a).cross(c - a);
-  const auto inside = [&](const Point& from, const Point& to) {
-    return (to - from).cross(p - from).dot(normal) >= 0;
-  };
-  if (normal.squaredNorm() == 0 || !inside(a, b) || !inside(b, c) || !inside(c, a)) {
-    return edges;
-  }
-  return std::min(edges, std::abs((p - a).dot(normal)) / normal.norm());
-}
 
 // The vertices of an embedding in space: the tile's, then the added ones.
 std::vector<Point> embeddedPoints(std::span<const Point> tile, const Embedding& embedding) {

@@ -171,10 +171,15 @@ bool nestsTooDeep(std::string_view text) {
   return false;
 }
 
-// "line 3, column 5: unexpected …" of the library's message.
-std::string place(std::string_view what) {
+// " at line 3, column 5: unexpected …", or where the library names no place ": number overflow …", of its
+// message "[json.exception.…] parse error at line 3, …".
+std::string reason(std::string_view what) {
   const std::size_t line = what.find("line ");
-  return printable(line == std::string_view::npos ? what : what.substr(line), 240);
+  if (line != std::string_view::npos) {
+    return " at " + printable(what.substr(line), 240);
+  }
+  const std::size_t tag = what.find("] ");
+  return ": " + printable(tag == std::string_view::npos ? what : what.substr(tag + 2), 240);
 }
 
 }  // namespace
@@ -233,7 +238,7 @@ json parse(std::string_view text) {
   try {
     return json::parse(text);
   } catch (const json::exception& exception) {
-    throw Malformed{ErrorCode::ScenarioMalformed, "not valid JSON at " + place(exception.what())};
+    throw Malformed{ErrorCode::ScenarioMalformed, "not valid JSON" + reason(exception.what())};
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "core/base/predicates.h"
 
@@ -151,13 +152,53 @@ Index countComponents(const TriangleMesh& mesh) {
   return components;
 }
 
-void checkVertices(const TriangleMesh& mesh, MeshCheck& check) {
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    if (mesh.outgoing(v) < 0) {
-      ++check.isolatedVertices;
-    } else if (mesh.singular(v) && check.singularVerticesCount++ < kMostListed) {
-      check.singularVertices.push_back(v);
+// A corner of a face: the vertex, and the halfedge that leaves it in this face.
+struct Corner {
+  Index vertex;
+  Index halfedge;
+  auto operator<=>(const Corner&) const = default;
+};
+
+// Do the faces at a vertex, given all its corners, make one fan, closed or open, whichever way each runs?
+bool makeOneFan(const TriangleMesh& mesh, const std::vector<Index>& partners,
+                std::span<const Corner> corners) {
+  const Corner& first = corners.front();
+  std::size_t reached = 1;
+  for (Index h : {first.halfedge, TriangleMesh::prev(first.halfedge)}) {  // away across either edge
+    while (partners[asSize(h)] >= 0) {
+      const Index partner = partners[asSize(h)];
+      if (TriangleMesh::faceOf(partner) == TriangleMesh::faceOf(first.halfedge)) {
+        return reached == corners.size();
+      }
+      ++reached;
+      h = mesh.to(partner) == first.vertex ? TriangleMesh::next(partner) : TriangleMesh::prev(partner);
     }
+    if (partners[asSize(h)] == -2) {
+      return false;
+    }
+  }
+  return reached == corners.size();
+}
+
+// The mesh itself calls a vertex singular already where its faces run in different directions.
+void checkVertices(const TriangleMesh& mesh, const std::vector<Index>& partners, MeshCheck& check) {
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    check.isolatedVertices += mesh.outgoing(v) < 0 ? 1 : 0;
+  }
+  std::vector<Corner> corners;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+    if (mesh.singular(mesh.from(h))) {
+      corners.push_back({mesh.from(h), h});
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  for (auto first = corners.begin(); first != corners.end();) {
+    const auto last =
+        std::find_if(first, corners.end(), [&](const Corner& c) { return c.vertex != first->vertex; });
+    if (!makeOneFan(mesh, partners, {first, last}) && check.singularVerticesCount++ < kMostListed) {
+      check.singularVertices.push_back(first->vertex);
+    }
+    first = last;
   }
 }
 
@@ -240,7 +281,7 @@ MeshCheck checkMesh(const TriangleMesh& mesh) {
   check.vertices = mesh.vertexCount();
   check.faces = mesh.faceCount();
   const std::vector<Index> partners = pairEdges(mesh, check);
-  checkVertices(mesh, check);
+  checkVertices(mesh, partners, check);
   check.components = countComponents(mesh);
   check.borderLoops = countBorderLoops(mesh, partners);
   check.eulerCharacteristic = static_cast<long>(check.vertices) - static_cast<long>(check.isolatedVertices) -

@@ -16,7 +16,7 @@ struct MeshCheck {
   Index borderLoops = 0;  // closed chains of border edges; see checkMesh()
   Index borderEdges = 0;
   long eulerCharacteristic = 0;  // used vertices − edges + faces
-  bool manifold = false;         // no singular vertex but isolated ones
+  bool manifold = false;         // no singular vertex
   bool oriented = false;         // no two faces run through an edge in the same direction
   bool orientable = false;       // could be oriented by turning faces over; never with an edge of three faces
   bool closed = false;           // no border edge
@@ -24,7 +24,9 @@ struct MeshCheck {
   std::size_t edgesOfManyFacesCount = 0;
   std::vector<std::array<Index, 2>> misorientedEdges;  // edges whose two faces disagree (the first 100)
   std::size_t misorientedEdgesCount = 0;
-  std::vector<Index> singularVertices;  // as TriangleMesh::singular(), but isolated ones (the first 100)
+  /// Vertices whose faces do not make one fan, closed or open, whichever way each face runs; those of edges
+  /// with three or more faces among them, isolated ones not (the first 100).
+  std::vector<Index> singularVertices;
   std::size_t singularVerticesCount = 0;
   std::size_t isolatedVertices = 0;
   std::size_t degenerateFaces = 0;  // of zero area, exactly
@@ -36,7 +38,7 @@ struct MeshCheck {
   Point boxMax = Point::Zero();
 };
 
-/// Examines a mesh. Linear cost, apart from a sort of the irregular edges.
+/// Examines a mesh. Linear cost, apart from a sort of what is irregular.
 ///
 /// Border loops are counted as if the mesh were cut apart at every singular vertex, so that each fan has a
 /// vertex of its own, and along every edge of three or more faces; a loop counts if it has a border edge. So

@@ -359,6 +359,27 @@ class AdjustmentTest : public QObject {
     }
   }
 
+  // Neighbouring CVs a thousandth of the loop apart: what is left of a coordinate's digits decides there.
+  void theLineFieldIsAsExactBesideAShortLine() {
+    Points part = ring(7, 0.1);
+    part.insert(part.begin() + 3, part[3] + Point(1e-3, -1e-3, 5e-4));
+    Points base = ring(7, 0.25);
+    base.insert(base.begin() + 3, base[3] + Point(-8e-4, 1e-3, 1e-3));
+    Points tile = randomPoints(22, 500, 2);
+    for (const Point& p : randomPoints(23, 500, 4e-3)) {
+      tile.push_back(part[3] + p);
+    }
+    const Points result = adjusted(tile, part, base, kLineFieldOnly).points;
+    for (std::size_t i = 0; i < tile.size(); ++i) {
+      double greatest = 0;
+      for (const BoundaryLine& line : boundaryLines(part, base, Eigen::Matrix3d::Identity())) {
+        const Point image = line.linear * (tile[i] - line.origin) + line.image;
+        greatest = std::max(greatest, (image - tile[i]).norm());
+      }
+      QVERIFY((result[i] - literalLineField(part, base, 5, tile[i])).norm() < 1e-6 * greatest);
+    }
+  }
+
   void theLineFieldOfEqualLoopsMovesNothing() {
     const Points part = ring(7, 0.2);
     const Points tile = randomPoints(12, 500, 3);

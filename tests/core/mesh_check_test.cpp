@@ -153,14 +153,32 @@ class MeshCheckTest : public QObject {
     QCOMPARE(c.misorientedEdges, (std::vector<std::array<Index, 2>>{{0, 1}}));
     QCOMPARE(c.misorientedEdgesCount, 1U);
     QCOMPARE(c.edgesOfManyFacesCount, 0U);
-    QVERIFY(!c.oriented && c.orientable && !c.manifold);
+    QVERIFY(!c.oriented && c.orientable);
     QCOMPARE(c.borderLoops, 1);
     QCOMPARE(c.edges, 5);
   }
 
+  // How the faces run is one thing, what surface they make another.
+  void facesThatDisagreeAreAManifoldAllTheSame() {
+    const MeshCheck two = check(somePoints(4), {{0, 1, 2}, {0, 1, 3}});
+    QVERIFY(two.manifold);
+    QVERIFY(two.singularVertices.empty());
+    std::vector<Face> faces = shapes::icosphere(3)->faces();
+    for (std::size_t f = 0; f < faces.size(); f += 5) {
+      std::swap(faces[f][1], faces[f][2]);
+    }
+    const MeshCheck sphere = check(shapes::icosphere(3)->points(), faces);
+    QVERIFY(sphere.manifold && sphere.closed && sphere.orientable && !sphere.oriented);
+    QCOMPARE(sphere.singularVerticesCount, 0U);
+    // Two such fans that touch in a vertex are none.
+    const MeshCheck bow = check(somePoints(7), {{0, 1, 2}, {0, 1, 3}, {0, 4, 5}, {0, 4, 6}});
+    QCOMPARE(bow.singularVertices, (std::vector<Index>{0}));
+    QVERIFY(!bow.manifold);
+  }
+
   void aMobiusStripIsNotOrientable() {
     const MeshCheck strip = checkRing(5, true);
-    QVERIFY(!strip.oriented && !strip.orientable);
+    QVERIFY(strip.manifold && !strip.oriented && !strip.orientable);
     QCOMPARE(strip.misorientedEdgesCount, 1U);
     QCOMPARE(strip.borderLoops, 1);
     QCOMPARE(strip.borderEdges, 10);
@@ -243,11 +261,12 @@ class MeshCheckTest : public QObject {
     for (Index i = 0; i < 150; ++i) {
       faces.push_back({0, 2 * i + 1, 2 * i + 2});
       faces.push_back({2 * i + 301, 2 * i + 1, 2 * i + 2});
+      faces.push_back({2 * i + 301, 2 * i + 601, 2 * i + 602});
     }
-    const MeshCheck c = check(somePoints(601), faces);
+    const MeshCheck c = check(somePoints(901), faces);
     QCOMPARE(c.misorientedEdgesCount, 150U);
     QCOMPARE(c.misorientedEdges.size(), 100U);
-    QCOMPARE(c.singularVerticesCount, 301U);
+    QCOMPARE(c.singularVerticesCount, 151U);
     QCOMPARE(c.singularVertices.size(), 100U);
     QVERIFY(c.orientable);
   }

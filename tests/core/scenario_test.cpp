@@ -273,6 +273,7 @@ class ScenarioTest : public QObject {
 
   void brokenJsonNamesItsLine() {
     mustFail("{\n\"m1\": \"a\",\n\"m2\": }", "line 3");
+    mustFail(with(R"("deform_exponent": 1e99999)"), "not valid JSON: number overflow parsing '1e99999'");
     mustFail("", "line 1");
     mustFail("{\"m1\": \"a\"", "line 1");
     mustFail(kHead + "} trailing", "line 1");
