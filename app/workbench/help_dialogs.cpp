@@ -30,6 +30,7 @@ QTableWidget* table(const QStringList& headers) {
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->setSelectionMode(QAbstractItemView::NoSelection);
   table->setShowGrid(false);
+  table->setTabKeyNavigation(false);
   table->horizontalHeader()->setStretchLastSection(true);
   return table;
 }

@@ -107,6 +107,11 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
   dock->setWidget(content);
   addDockWidget(Qt::RightDockWidgetArea, dock);
   actions_->menu("docksMenu")->addAction(dock->toggleViewAction());
+  // A dock behind another one's tab is not hidden for Qt: Tab would lead out of sight.
+  QSizePolicy policy = content->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  content->setSizePolicy(policy);
+  connect(dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
   return dock;
 }
 

@@ -5,6 +5,7 @@
 #include <QMenuBar>
 #include <QTableWidget>
 
+#include "tests/support/panes.h"
 #include "tests/support/workbench.h"
 
 using namespace graftsman;
@@ -98,6 +99,138 @@ class ActionsTest : public QObject {
       }
     }
     QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join("; ")));
+  }
+
+  // Every control on every page: its tooltip, and in it the shortcut where there is one.
+  void everyControlHasATooltipWithItsShortcut() {
+    Workbench bench;
+    QStringList without;
+    const auto look = [&] {
+      for (const QWidget* widget : bench.window->findChildren<QWidget*>()) {
+        const bool control = widget->inherits("QAbstractButton") || widget->inherits("QAbstractSpinBox") ||
+                             widget->inherits("QComboBox");
+        const bool ours =
+            !widget->objectName().startsWith("qt_") && !widget->inherits("QDockWidgetTitleButton") &&
+            widget->objectName() != "ScrollLeftButton" && widget->objectName() != "ScrollRightButton";
+        if (control && ours && widget->isVisible() && widget->toolTip().isEmpty()) {
+          without.append(widget->objectName());
+        }
+      }
+    };
+    look();
+    QVERIFY(bench.openSample("fig4c_cone_sphere"));
+    look();
+    bench.window->setMode(MainWindow::Mode::Tiles);
+    look();
+    QVERIFY2(without.isEmpty(), qPrintable(without.join(", ")));
+    const std::pair<const char*, const char*> shortcuts[] = {{"startLoadPart", "loadPart"},
+                                                             {"startLoadBase", "loadBase"},
+                                                             {"startOpen", "openProject"},
+                                                             {"presetLinear", "linear"},
+                                                             {"presetPaste", "paste"},
+                                                             {"presetKeepBaseSlope", "keepBaseSlope"},
+                                                             {"presetHalf", "half"},
+                                                             {"runAdjustment", "runAdjustment"},
+                                                             {"seam", "seam"},
+                                                             {"colouring", "nextColouring"},
+                                                             {"statusCancel", "cancel"}};
+    for (const auto& [widget, action] : shortcuts) {
+      const auto* control = bench.window->findChild<QWidget*>(widget);
+      QVERIFY2(control, widget);
+      const QString keys = bench.action(action)->shortcut().toString(QKeySequence::NativeText);
+      QVERIFY2(control->toolTip().contains(QString("(%1").arg(keys)), qPrintable(control->toolTip()));
+    }
+  }
+
+  void tabFollowsReadingOrder() {
+    Workbench bench;
+    QVERIFY(bench.openSample("fig4c_cone_sphere"));
+    for (const MainWindow::Mode mode : {MainWindow::Mode::Tiles, MainWindow::Mode::Fusion}) {
+      bench.window->setMode(mode);
+      QStringList order;
+      QWidget* const first = QApplication::focusWidget();
+      do {
+        const QWidget* now = QApplication::focusWidget();
+        order.append(now->objectName());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+      } while (QApplication::focusWidget() != first && order.size() < 60);
+      const QStringList wanted =
+          mode == MainWindow::Mode::Tiles
+              ? QStringList{"partPane", "basePane", "pairsView",     "rigidStep",    "scaleStep",
+                            "epsilon",  "falloff",  "maxIterations", "runAdjustment"}
+              : QStringList{"resultPane", "presetLinear", "presetHalf",    "fusionCurveEditor",
+                            "pointF",     "monotone",     "rigidStep",     "scaleStep",
+                            "epsilon",    "falloff",      "maxIterations", "runAdjustment"};
+      QStringList found;
+      const auto start = order.indexOf(wanted.first());
+      for (int i = 0; i < order.size(); ++i) {
+        const QString& name = order[(start + i) % order.size()];
+        if (wanted.contains(name)) {
+          found.append(name);
+        }
+      }
+      QVERIFY2(found == wanted, qPrintable(order.join(" ")));
+    }
+  }
+
+  void theNavigationIsChosenAndRemembered() {
+    QTemporaryDir folder;
+    const std::pair<const char*, Qt::KeyboardModifiers> pans[] = {{"navigateCad", Qt::NoModifier},
+                                                                  {"navigateBlender", Qt::ShiftModifier}};
+    for (const auto& [name, modifiers] : pans) {
+      {
+        Workbench bench;
+        bench.action(name)->trigger();
+      }
+      Workbench bench;
+      QVERIFY(bench.action(name)->isChecked());
+      QVERIFY(bench.openSample("fig4c_cone_sphere"));
+      const Camera before = bench.resultPane()->camera();
+      panes::drag(*bench.resultPane(), {200, 200}, {240, 220}, Qt::MiddleButton, modifiers);
+      const Camera after = bench.resultPane()->camera();
+      // Moved, not turned.
+      QVERIFY(((after.position - after.pivot) - (before.position - before.pivot)).norm() < 1e-9);
+      QVERIFY((after.pivot - before.pivot).norm() > 0);
+    }
+  }
+
+  void keysOfTheViewGoToThePaneUnderThePointer() {
+    Workbench bench;
+    QVERIFY(bench.openSample("fig9b_bird_plane"));
+    bench.window->setMode(MainWindow::Mode::Tiles);
+    MeshPane* part = bench.pane(Side::Part);
+    MeshPane* base = bench.pane(Side::Base);
+    part->setFocus();
+    QTest::mouseMove(base, base->rect().center());
+    QTRY_VERIFY(base->underMouse());
+    const Camera partBefore = part->camera();
+    std::vector<Eigen::Vector3d> seen;
+    for (const auto& [key, modifiers] :
+         {std::pair{Qt::Key_1, Qt::NoModifier}, {Qt::Key_3, Qt::NoModifier}, {Qt::Key_7, Qt::NoModifier}}) {
+      QTest::keyClick(part, key, modifiers);
+      const Camera camera = base->camera();
+      seen.push_back((camera.position - camera.pivot).normalized());
+      QTest::keyClick(part, key, Qt::ControlModifier);
+      const Camera other = base->camera();
+      QVERIFY((seen.back() + (other.position - other.pivot).normalized()).norm() < 1e-6);
+    }
+    QVERIFY(std::abs(seen[0].dot(seen[1])) < 1e-6 && std::abs(seen[0].dot(seen[2])) < 1e-6);
+    QTest::keyClick(part, Qt::Key_F);
+    QVERIFY(part->camera() == partBefore);
+  }
+
+  void darkAndLightFollowThePalette() {
+    Workbench bench;
+    QVERIFY(bench.openSample("fig4c_cone_sphere"));
+    const QPalette light = QApplication::palette();
+    const QImage before = bench.resultPane()->picture();
+    QApplication::setPalette(panes::darkPalette());
+    QCoreApplication::processEvents();
+    const QImage dark = bench.resultPane()->picture();
+    QVERIFY(dark.pixelColor(3, 3).lightness() < 100 && before.pixelColor(3, 3).lightness() > 200);
+    QApplication::setPalette(light);
+    QCoreApplication::processEvents();
+    QVERIFY(bench.resultPane()->picture() == before);
   }
 
   void anActionIsFoundByItsText() {

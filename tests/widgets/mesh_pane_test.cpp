@@ -189,6 +189,51 @@ class MeshPaneTest : public QObject {
     QVERIFY2(hit >= 5, qPrintable(QString::number(hit)));
   }
 
+  void whatIsPaintedOverTheSceneLeavesItUndrawn() {
+    struct Counting : MeshPane {
+      using MeshPane::MeshPane;
+      int drawn = 0;
+      void prepareFrame(const CameraView& view) override {
+        ++drawn;
+        MeshPane::prepareFrame(view);
+      }
+    };
+    Counting pane(Side::Base);
+    pane.resize(480, 400);
+    pane.show();
+    QVERIFY(panes::showMesh(pane, samples::model("spot.obj")));
+    const auto frame = [&] { return pane.grabFramebuffer(); };
+    panes::moveTo(pane, {240, 200});
+    QImage before = frame();
+    const int drawn = pane.drawn;
+    for (const QPointF& at : {QPointF(225, 190), QPointF(260, 210)}) {
+      panes::moveTo(pane, at);
+      QVERIFY(frame() != before);
+      before = frame();
+    }
+    pane.setBusy(0.5);
+    QVERIFY(frame() != before);
+    pane.setBusy({});
+    QVERIFY(frame() == before);
+    QCOMPARE(pane.drawn, drawn);
+    // A path, another camera, another palette, a picture of another size: drawn.
+    LoopMarks marks;
+    const TriangleMesh& mesh = *samples::model("spot.obj");
+    marks.paths.push_back({{mesh.point(0), mesh.point(100)}, 0});
+    pane.setMarks(marks);
+    (void)frame();
+    QCOMPARE(pane.drawn, drawn + 1);
+    pane.frameAll();
+    pane.lookFrom(AxisView::Top);
+    const QImage top = frame();
+    QCOMPARE(pane.drawn, drawn + 2);
+    QVERIFY(pane.picture(QSize(100, 80)).size() == QSize(100, 80));
+    QVERIFY(frame() == top);
+    QCOMPARE(pane.drawn, drawn + 4);
+    pane.setPalette(panes::darkPalette());
+    QVERIFY(frame() != top);
+  }
+
   void aPathIsTwoPixelsWide() {
     MeshPane pane(Side::Base);
     pane.resize(400, 300);

@@ -76,6 +76,8 @@ FusionCurvePanel::FusionCurvePanel(QWidget* parent)
   column->addWidget(editor_, 1);
   column->addLayout(numberRow());
   column->addWidget(line_);
+  setTabOrder(presets_.back(), editor_);
+  setTabOrder(editor_, s_);
   // Room for a refusal of two lines, so that the curve doesn't jump when one comes.
   line_->setMinimumHeight(2 * fontMetrics().lineSpacing());
 

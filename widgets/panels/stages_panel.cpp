@@ -72,6 +72,7 @@ StagesPanel::StagesPanel(QWidget* parent)
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setShowGrid(false);
+  table_->setTabKeyNavigation(false);
   for (int row = 0; row < kStageCount; ++row) {
     for (int column = 0; column < ColumnCount; ++column) {
       table_->setItem(row, column, new QTableWidgetItem);

@@ -75,7 +75,7 @@ MeshPane::Content::Content(MeshPane& pane, Side meshSide)
   flash.setStartValue(0.0);
   flash.setEndValue(1.0);
   flash.setDuration(kFlashMilliseconds);
-  QObject::connect(&flash, &QVariantAnimation::valueChanged, &pane, [&pane] { pane.renderLater(); });
+  QObject::connect(&flash, &QVariantAnimation::valueChanged, &pane, [&pane] { pane.repaintLater(); });
 }
 
 MeshPane::MeshPane(Side side, QWidget* parent)
@@ -117,6 +117,7 @@ void MeshPane::showMesh(std::shared_ptr<const ShownMesh> shown) {
     keepFramed();
   }
   showMarks();
+  renderLater();
   if (content_->ready()) {
     Q_EMIT meshShown();
   }
@@ -133,10 +134,14 @@ void MeshPane::setMarks(LoopMarks marks) {
 }
 
 void MeshPane::showMarks() {
-  const bool ready = content_->ready();
-  content_->loop.setPaths(ready ? content_->marks.paths : std::vector<PathMark>());
+  const std::vector<PathMark> paths = content_->ready() ? content_->marks.paths : std::vector<PathMark>();
+  if (paths != content_->drawnPaths) {
+    content_->loop.setPaths(paths);
+    content_->drawnPaths = paths;
+    renderLater();
+  }
   showTile();
-  renderLater();
+  repaintLater();
 }
 
 void MeshPane::showTile() {
@@ -145,6 +150,7 @@ void MeshPane::showTile() {
     return;
   }
   content_->drawnTile = tile;
+  renderLater();
   if (tile && tile->faces.size() > kTileAtOnce) {
     content_->tileJob.start([tile] { return makeTile(tile); });
   } else {

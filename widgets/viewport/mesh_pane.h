@@ -26,6 +26,7 @@ struct PathMark {
   std::vector<Point> points;
   int number = 0;  // leads from CV `number` to the next
   bool problem = false;
+  friend bool operator==(const PathMark&, const PathMark&) = default;
 };
 
 /// What a pane shows of a loop.

@@ -41,6 +41,7 @@ struct MeshPane::Content {
   std::shared_ptr<const TriangleMesh> wanted;
   std::shared_ptr<const ShownMesh> shown;
   LoopMarks marks;
+  std::vector<PathMark> drawnPaths;
   std::shared_ptr<const Tile> drawnTile;
   NewestJob<std::shared_ptr<const ShownMesh>> meshJob;
   NewestJob<vtkSmartPointer<vtkPolyData>> tileJob;

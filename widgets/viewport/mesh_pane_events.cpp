@@ -142,7 +142,7 @@ void MeshPane::hover(const Pointed& pointed) {
   using Target = Pointed::Target;
   if (!(pointed == content_->hovered)) {
     content_->hovered = pointed;
-    renderLater();
+    repaintLater();
   }
   switch (pointed.target) {
     case Target::Nothing:
@@ -270,7 +270,7 @@ void MeshPane::dragTo(const QPointF& position, bool free) {
     return;
   }
   content_->drag->at = *at;
-  renderLater();
+  repaintLater();
   Q_EMIT cvDragged(content_->drag->number, *at);
 }
 
@@ -279,7 +279,7 @@ void MeshPane::cancelDrag() {
     const int number = content_->drag->number;
     content_->drag.reset();
     unsetCursor();
-    renderLater();
+    repaintLater();
     Q_EMIT cvDragCancelled(number);
   }
 }
@@ -340,7 +340,7 @@ void MeshPane::walk(Qt::Key arrow) {
   if (best >= 0) {
     hover({Pointed::Target::Surface, -1, SurfacePoint::atVertex(best)});
   }
-  renderLater();
+  repaintLater();
 }
 
 void MeshPane::pickByKeyboard() {

@@ -108,7 +108,7 @@ void Viewport::answerWindow() {
         break;
       default:  // WindowFrameEvent
         if (!self.scene_->painting) {
-          self.update();
+          self.renderLater();
         }
     }
   });
@@ -123,6 +123,7 @@ void Viewport::initializeGL() {
   disconnect(scene_->contextEnds);
   scene_->contextEnds =
       connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseContext);
+  scene_->stale = true;
   scene_->window->SetReadyForRendering(true);
   scene_->window->OpenGLInit();
   scene_->window->GetState()->Reset();
@@ -156,24 +157,21 @@ void Viewport::paintGL() {
 
 void Viewport::paintFrame(const CameraView& shown, unsigned int framebuffer) {
   scene_->painting = true;
-  prepareFrame(shown);
   vtkGenericOpenGLRenderWindow& window = *scene_->window;
   const QSize pixels = (shown.size * shown.ratio).toSize();
-  if (window.GetSize()[0] != pixels.width() || window.GetSize()[1] != pixels.height()) {
+  const bool resized = window.GetSize()[0] != pixels.width() || window.GetSize()[1] != pixels.height();
+  if (resized) {
     window.SetSize(pixels.width(), pixels.height());
   }
-  vtkCamera& camera = *scene_->renderer->GetActiveCamera();
-  camera.SetPosition(shown.camera.position.data());
-  camera.SetFocalPoint(shown.camera.pivot.data());
-  camera.SetViewUp(shown.up().data());
-  scene_->renderer->ResetCameraClippingRange();
-
   vtkOpenGLState& state = *window.GetState();
   state.Reset();
   state.Push();
   state.vtkglDepthFunc(GL_LEQUAL);
   state.vtkglEnable(GL_DEPTH_TEST);
-  window.Render();
+  // The last frame is still there: a scene of a million faces is not drawn again for a mark on it.
+  if (scene_->stale || resized || !(scene_->drawnFrom == shown.camera)) {
+    drawScene(shown);
+  }
   state.vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   window.BlitDisplayFramebuffer();
   state.Pop();
@@ -189,6 +187,18 @@ void Viewport::paintFrame(const CameraView& shown, unsigned int framebuffer) {
   gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.glDisable(GL_DEPTH_TEST);
   scene_->painting = false;
+}
+
+void Viewport::drawScene(const CameraView& shown) {
+  prepareFrame(shown);
+  vtkCamera& camera = *scene_->renderer->GetActiveCamera();
+  camera.SetPosition(shown.camera.position.data());
+  camera.SetFocalPoint(shown.camera.pivot.data());
+  camera.SetViewUp(shown.up().data());
+  scene_->renderer->ResetCameraClippingRange();
+  scene_->window->Render();
+  scene_->stale = false;
+  scene_->drawnFrom = shown.camera;
 }
 
 void Viewport::paintState(QPainter& painter) const {
@@ -313,6 +323,11 @@ vtkRenderer* Viewport::renderer() const {
 }
 
 void Viewport::renderLater() {
+  scene_->stale = true;
+  update();
+}
+
+void Viewport::repaintLater() {
   update();
 }
 

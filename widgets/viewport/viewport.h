@@ -89,8 +89,11 @@ class Viewport : public QOpenGLWidget {
   [[nodiscard]] vtkRenderer* renderer() const;
   /// Lets the view glide to a camera that is the person's from now on.
   void glideTo(const Camera& camera);
-  /// Asks for a new frame.
+  /// Asks for a new frame: the scene is another one.
   void renderLater();
+  /// The same where only what paintOver() paints is another: the scene, which may be large, is not drawn
+  /// again.
+  void repaintLater();
   /// The camera with the pane's size.
   [[nodiscard]] CameraView view() const;
   /// frameAll() by the program: without cameraChanged().
@@ -103,7 +106,7 @@ class Viewport : public QOpenGLWidget {
   /// The nearest point of what is shown at a place of the pane, or nullopt. By the depth that was last drawn;
   /// a pane that can cast a ray overrides it.
   [[nodiscard]] virtual std::optional<Point> surfaceAt(const QPointF& position) const;
-  /// Called before each frame, also a picture's, with the camera that it is drawn with.
+  /// Called before the scene is drawn, also for a picture, with the camera that it is drawn with.
   virtual void prepareFrame(const CameraView& view);
   /// Paints over the scene, in device-independent pixels, under what tells of progress, focus and drops.
   /// There is no multisampling: draw images where edges must be smooth.
@@ -142,6 +145,7 @@ class Viewport : public QOpenGLWidget {
   void answerWindow();
   void releaseContext();
   void paintFrame(const CameraView& shown, unsigned int framebuffer);
+  void drawScene(const CameraView& shown);
   void paintState(QPainter& painter) const;
 
   struct Scene;

@@ -276,7 +276,7 @@ void Viewport::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) {
     setBackground();
     applyTheme(themeFor(palette()));
-    update();
+    renderLater();
   }
 }
 

@@ -37,6 +37,8 @@ struct Viewport::Scene {
   vtkNew<vtkRenderer> renderer;
   QMetaObject::Connection contextEnds;
   bool painting = false;
+  bool stale = true;  // the scene is not what was drawn last
+  Camera drawnFrom;   // that frame
 
   Camera camera;
   Camera shown;        // differs from `camera` while the view glides to it

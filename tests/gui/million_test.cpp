@@ -1,0 +1,103 @@
+#include <QAbstractButton>
+#include <QElapsedTimer>
+#include <QProgressBar>
+
+#include "core/project/project_file.h"
+#include "tests/support/documents.h"
+#include "tests/support/shapes.h"
+#include "tests/support/workbench.h"
+
+using namespace graftsman;
+
+namespace {
+
+// The longest time for which the GUI thread answered nothing.
+class Standstill : public QObject {
+ public:
+  Standstill() {
+    connect(&ticks_, &QTimer::timeout, this, [this] { longest_ = std::max(longest_, clock_.restart()); });
+    clock_.start();
+    ticks_.start(0);
+  }
+  [[nodiscard]] qint64 longest() const { return longest_; }
+
+ private:
+  QTimer ticks_;
+  QElapsedTimer clock_;
+  qint64 longest_ = 0;
+};
+
+// The cone of a sample on a ring of more than a million faces.
+Project millionFaces() {
+  constexpr Index kSize = 720;
+  constexpr Index kRadius = 200;  // a tile of a quarter of a million faces
+  Project project;
+  Document& document = project.document;
+  document = samples::document("fig4c_cone_sphere");
+  document.inputs.base = shapes::torus(kSize, kSize);
+  document.base = std::make_shared<const MeshAsset>(MeshAsset{"ring", "ring.ply", {}, document.inputs.base});
+  for (std::size_t k = 0; k < document.inputs.loop.size(); ++k) {
+    const double angle =
+        2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(document.inputs.loop.size());
+    const auto i = static_cast<Index>(kSize / 2 + kRadius * std::cos(angle));
+    const auto j = static_cast<Index>(kSize / 2 + kRadius * std::sin(angle));
+    document.inputs.loop[k].base = SurfacePoint::atVertex(i * kSize + j);
+  }
+  return project;
+}
+
+}  // namespace
+
+// A base of a million faces: the window answers all the time.
+class MillionTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void theWindowAnswersWhileItOpensFusesAndIsCancelled() {
+    Workbench bench;
+    const QString path = bench.folder.filePath("million.graft");
+    QVERIFY(writeProject(path.toStdString(), millionFaces(), {}));
+    auto* bar = bench.window->findChild<QProgressBar*>("statusProgress");
+    int announced = 0;
+    connect(bar, &QProgressBar::valueChanged, this, [&] { announced += bar->isVisible() ? 1 : 0; });
+    qint64 opened = 0;
+    qint64 standstill = 0;
+    {
+      const Standstill watch;
+      QElapsedTimer clock;
+      clock.start();
+      QSignalSpy shown(bench.pane(Side::Base), &MeshPane::meshShown);
+      bench.window->openFile(path);
+      QVERIFY(bench.settle());
+      QTRY_VERIFY_WITH_TIMEOUT(!shown.isEmpty(), kPatienceMs);
+      opened = clock.elapsed();
+      standstill = watch.longest();
+    }
+    qInfo("opened and fused in %lld ms; the longest standstill %lld ms; progress told %d times", opened,
+          standstill, announced);
+    QVERIFY(bench.document().inputs.base->faceCount() > 1'000'000);
+    QVERIFY(bench.window->fusionPage().shown());
+    QVERIFY(announced > 0);
+
+    // A run is cancelled by the button in the status bar.
+    QTest::keyClick(bench.window.get(), Qt::Key_F2);
+    auto* cancel = bench.window->findChild<QAbstractButton*>("statusCancel");
+    const Standstill watch;
+    bench.action("paperPaths")->trigger();
+    QTRY_VERIFY(cancel->isVisible());
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    QVERIFY(bench.settle());
+    QVERIFY2(bench.status().startsWith("Cancelled"), qPrintable(bench.status()));
+    QVERIFY(!cancel->isVisible());
+
+    // Everything is usable: the edit is undone, and there is the result.
+    QTest::keyClick(bench.window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(bench.settle());
+    QVERIFY(bench.window->fusionPage().shown()->inputs.loop == bench.document().inputs.loop);
+    QVERIFY(bench.action("exportResult")->isEnabled());
+    qInfo("cancelled and fused again: the longest standstill %lld ms", watch.longest());
+  }
+};
+
+QTEST_MAIN(MillionTest)
+#include "million_test.moc"
