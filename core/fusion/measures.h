@@ -17,8 +17,8 @@ struct Measures {
   /// changed.
   double greatestDistance = 0;
   double meanDistance = 0;  // weighted by each vertex's share of the tile's area
-  /// Of the combined tile's triangles, as 4 √3 area / (a² + b² + c²) with the sides a, b, c: 1 for an equilateral
-  /// one, 0 for one without area (the mean ratio).
+  /// Of the combined tile's triangles, as 4 √3 area / (a² + b² + c²) with the sides a, b, c: 1 for an
+  /// equilateral one, 0 for one without area (the mean ratio).
   double worstQuality = 0;
   double lowQuality = 0;  // a twentieth of the triangles has at most this (the 5th percentile)
   double meanQuality = 0;
@@ -28,8 +28,8 @@ struct Measures {
 };
 
 /// Measures a finished fusion (`results.fused` present); `base`: a tree over its base, to be made once for
-/// many results. The same bits on any number of threads. Cost: linear, and a look into the tree for each vertex
-/// of the combined tile.
+/// many results. The same bits on any number of threads. Cost: linear, and a look into the tree for each
+/// vertex of the combined tile.
 [[nodiscard]] Measures measure(const FusionResults& results, const NearestSurface& base);
 
 /// The same with a tree of its own.

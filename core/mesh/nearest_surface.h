@@ -17,16 +17,16 @@ class NearestSurface {
 
   [[nodiscard]] const std::shared_ptr<const TriangleMesh>& mesh() const { return mesh_; }
 
-  /// The distance of p to the nearest face, or `bound` if none is nearer: a bound known beforehand saves time.
-  /// Exact but for the rounding of the distance to that face.
-  [[nodiscard]] double distance(const Point& p,
-                                double bound = std::numeric_limits<double>::infinity()) const;
+  /// The distance of p to the nearest face, or `bound` if none is nearer: a bound known beforehand saves
+  /// time. Exact but for the rounding of the distance to that face.
+  [[nodiscard]] double distance(const Point& p, double bound = std::numeric_limits<double>::infinity()) const;
 
  private:
   struct Box {
     Point low;
     Point high;
-    Index first = 0;  // of a leaf: its first entry in faces_; of another box: its first child, the second follows
+    Index first =
+        0;  // of a leaf: its first entry in faces_; of another box: its first child, the second follows
     Index count = 0;  // faces of a leaf; 0: no leaf
   };
 

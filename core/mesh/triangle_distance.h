@@ -18,7 +18,8 @@ namespace graftsman {
 
 /// The distance of p from a triangle: of the nearest of its edges, or its plane where p is above the inside.
 /// Needles keep their accuracy, and a triangle without area is its edges.
-[[nodiscard]] inline double distanceToTriangle(const Point& p, const Point& a, const Point& b, const Point& c) {
+[[nodiscard]] inline double distanceToTriangle(const Point& p, const Point& a, const Point& b,
+                                               const Point& c) {
   const double edges =
       std::min({distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
   const Eigen::Vector3d normal = (b - a).cross(c - a);

@@ -10,15 +10,16 @@ namespace {
 
 using Vector = Eigen::Vector3f;
 
-constexpr int kPattern = 4;      // pixels; the looks are turned from pixel to pixel, over squares of this side
-constexpr int kLooks = 12;       // of a pixel
-constexpr float kReach = 0.1F;   // of the picture's height
+constexpr int kPattern = 4;     // pixels; the looks are turned from pixel to pixel, over squares of this side
+constexpr int kLooks = 12;      // of a pixel
+constexpr float kReach = 0.1F;  // of the picture's height
 constexpr float kStrength = 1.1F;
-constexpr float kBias = 4e-3F;   // of the depth: roughness of faces that casts no shadow
+constexpr float kBias = 4e-3F;      // of the depth: roughness of faces that casts no shadow
 constexpr float kSoftness = 1e-4F;  // of the squared depth: keeps what is close from weighing without bound
 constexpr float kSameSurface = 0.02F;  // of the depth: how far apart pixels that are averaged may be
 
-// The pixels as points in camera space with a margin of background all round, so that every look stays inside.
+// The pixels as points in camera space with a margin of background all round, so that every look stays
+// inside.
 struct Field {
   int margin = 0;
   int stride = 0;
@@ -46,7 +47,8 @@ struct Field {
 using Looks = std::array<std::array<std::ptrdiff_t, kLooks>, kPattern * kPattern>;
 
 Looks looksWithin(float radius, int stride) {
-  constexpr std::array<int, kPattern* kPattern> kOrder = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+  constexpr std::array<int, kPattern* kPattern> kOrder = {0, 8,  2, 10, 12, 4, 14, 6,
+                                                          3, 11, 1, 9,  15, 7, 13, 5};
   constexpr float kTurns = 5;
   Looks looks;
   for (std::size_t i = 0; i < looks.size(); ++i) {
@@ -80,8 +82,8 @@ class Obscurance {
       for (int x = 0; x < width_; ++x, ++i) {
         if (pixels_[i].depth > 0) {
           const auto& looks = looks_[static_cast<std::size_t>(y % kPattern * kPattern + x % kPattern)];
-          raw[field_.indexOf(x, y)] = opennessAt(field_.points.data() + field_.indexOf(x, y),
-                                                 pixels_[i].normal, looks);
+          raw[field_.indexOf(x, y)] =
+              opennessAt(field_.points.data() + field_.indexOf(x, y), pixels_[i].normal, looks);
         }
       }
     }
@@ -142,7 +144,8 @@ class Obscurance {
 
 }  // namespace
 
-std::vector<float> openness(const std::vector<PixelSurface>& pixels, int width, int height, const Lens& lens) {
+std::vector<float> openness(const std::vector<PixelSurface>& pixels, int width, int height,
+                            const Lens& lens) {
   return Obscurance(pixels, width, height, lens).run();
 }
 

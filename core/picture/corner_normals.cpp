@@ -13,7 +13,8 @@ std::size_t at(Index i) {
 
 using Vector = Eigen::Vector3f;
 
-// Comparing every two faces at a vertex costs the square of their number: at a vertex with more, each is flat.
+// Comparing every two faces at a vertex costs the square of their number: at a vertex with more, each is
+// flat.
 constexpr std::ptrdiff_t kMostCompared = 256;
 
 // Normals as long as the faces' areas, in units that floats hold.
@@ -78,7 +79,8 @@ void divideAtCreases(const CornersAt& creased, const std::vector<Vector>& ofFace
       Vector sum = own;
       for (auto other = end - begin <= kMostCompared ? begin : end; other != end; ++other) {
         const Vector& theirs = ofFaces[at(*other / 3)];
-        if (other != corner && own.dot(theirs) > cosine * std::sqrt(own.squaredNorm() * theirs.squaredNorm())) {
+        if (other != corner &&
+            own.dot(theirs) > cosine * std::sqrt(own.squaredNorm() * theirs.squaredNorm())) {
           sum += theirs;
         }
       }

@@ -16,7 +16,8 @@ struct CornerNormals {
 
 /// Each corner's normal is the mean, weighted by area, of the faces at its vertex: of all of them where none
 /// turns away from that mean by more than half of `creaseAngle` (radians), otherwise of those that turn by
-/// less than creaseAngle from the corner's own (and of none else at a vertex of more than 256 faces). Any connectivity. Linear cost.
+/// less than creaseAngle from the corner's own (and of none else at a vertex of more than 256 faces). Any
+/// connectivity. Linear cost.
 [[nodiscard]] CornerNormals cornerNormals(std::span<const Point> points, std::span<const Face> faces,
                                           double creaseAngle);
 

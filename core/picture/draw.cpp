@@ -38,8 +38,7 @@ struct Tones {
       linear[i] = toLinear(static_cast<float>(i) / 255);
     }
     for (std::size_t i = 0; i < bytes.size(); ++i) {
-      bytes[i] =
-          static_cast<std::uint8_t>(std::lrint(255 * toTone(static_cast<float>(i) / kToneSteps)));
+      bytes[i] = static_cast<std::uint8_t>(std::lrint(255 * toTone(static_cast<float>(i) / kToneSteps)));
     }
   }
 
@@ -66,7 +65,7 @@ struct Studio {
   static constexpr float kFill = 0.22F;
   static constexpr float kSky = 0.32F;
   static constexpr float kGround = 0.10F;
-  static constexpr float kWrap = 0.12F;   // how far the lights reach round the shape: they are large
+  static constexpr float kWrap = 0.12F;  // how far the lights reach round the shape: they are large
   static constexpr float kShine = 0.12F;
 
   // Light that comes off a white surface, and what shines on any.
@@ -125,8 +124,8 @@ class Painter {
     picture.pixels.reserve(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height));
     for (int y = 0; y < size_.height; ++y) {
       const float down = static_cast<float>(y) / static_cast<float>(std::max(size_.height - 1, 1));
-      const Vector background = (1 - down) * tones_.light(shading_.backgroundTop) +
-                                down * tones_.light(shading_.backgroundBottom);
+      const Vector background =
+          (1 - down) * tones_.light(shading_.backgroundTop) + down * tones_.light(shading_.backgroundBottom);
       for (int x = 0; x < size_.width; ++x) {
         picture.pixels.push_back(tones_.colour(pixel(x, y, background)));
       }
@@ -203,7 +202,8 @@ class Painter {
 
   // The light of a pixel: the mean of its samples', of those on its diagonal where they are enough.
   [[nodiscard]] Vector pixel(int x, int y, const Vector& background) const {
-    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x);
+    const auto i =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x);
     const float open = open_.empty() ? 1 : open_[i];
     Vector sum = Vector::Zero();
     if (isPlain(x, y)) {
@@ -252,7 +252,7 @@ class Painter {
   Raster raster_;
   Lens pixelLens_;
   std::vector<PixelSurface> surfaces_;  // of each pixel
-  std::vector<float> open_;              // likewise; empty without shadows
+  std::vector<float> open_;             // likewise; empty without shadows
   Tones tones_;
   Studio studio_;
   Vector mesh_ = tones_.light(shading_.mesh);

@@ -18,10 +18,10 @@ struct PictureShading {
   int supersampling = 2;                       // samples a pixel in each direction, 1 to 4
 };
 
-/// A picture of a mesh, made without display or graphics card. points: V×3, finite; faces: F×3, every corner in
-/// [0, V); any connectivity, both sides are drawn alike. Two lights and a soft glow from above go with the
-/// camera. Pure: equal arguments give equal pixels, on any thread. Cost: linear in vertices, faces and samples;
-/// 100k faces at 256×192 take 15 ms. Precondition: the size within 1 … kGreatestPictureSide.
+/// A picture of a mesh, made without display or graphics card. points: V×3, finite; faces: F×3, every corner
+/// in [0, V); any connectivity, both sides are drawn alike. Two lights and a soft glow from above go with the
+/// camera. Pure: equal arguments give equal pixels, on any thread. Cost: linear in vertices, faces and
+/// samples; 100k faces at 256×192 take 15 ms. Precondition: the size within 1 … kGreatestPictureSide.
 [[nodiscard]] Picture draw(std::span<const Point> points, std::span<const Face> faces,
                            const PictureCamera& camera, PictureSize size, const PictureShading& shading = {});
 

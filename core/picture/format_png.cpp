@@ -17,8 +17,8 @@ Result<std::string> formatPng(const Picture& picture) {
   constexpr int kTightRows = 0;
   if (png_image_write_to_memory(&image, bytes.data(), &size, kEightBits, picture.pixels.data(), kTightRows,
                                 nullptr) == 0) {
-    return fail(ErrorCode::OutOfMemory,
-                std::string("A picture could not be packed: ") + static_cast<const char*>(image.message) + ".");
+    return fail(ErrorCode::OutOfMemory, std::string("A picture could not be packed: ") +
+                                            static_cast<const char*>(image.message) + ".");
   }
   bytes.resize(size);
   return bytes;

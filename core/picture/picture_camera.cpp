@@ -9,8 +9,8 @@
 namespace graftsman {
 namespace {
 
-constexpr double kMargin = 0.06;      // of the picture, at each edge
-constexpr double kAlong = 1e-6;       // sine below which `up` counts as along the view
+constexpr double kMargin = 0.06;         // of the picture, at each edge
+constexpr double kAlong = 1e-6;          // sine below which `up` counts as along the view
 constexpr double kSmallestSize = 1e-12;  // of a lone point's surroundings, as a fraction of its coordinates
 
 ViewFrame frameAlong(const Eigen::Vector3d& into, const Eigen::Vector3d& up) {

@@ -35,7 +35,8 @@ struct ViewFrame {
 
 /// The camera nearest to the points (N×3, N ≥ 1) that has all of them in view, with a margin of 6 % of the
 /// picture. `aspect`: width / height. Exact, linear cost. The pivot is as deep as the middle of the points.
-[[nodiscard]] PictureCamera frame(std::span<const Point> points, const ViewDirection& direction, double aspect);
+[[nodiscard]] PictureCamera frame(std::span<const Point> points, const ViewDirection& direction,
+                                  double aspect);
 
 /// The same for the corners of a box.
 [[nodiscard]] PictureCamera frameBox(const Point& low, const Point& high, const ViewDirection& direction,
@@ -43,7 +44,7 @@ struct ViewFrame {
 
 /// `count` cameras evenly round the points, at one distance, that has them in view from everywhere: the first
 /// looks as `direction` says, the others turn about its `up` through the middle of the points' box.
-[[nodiscard]] std::vector<PictureCamera> turntable(std::span<const Point> points, const ViewDirection& direction,
-                                                   double aspect, int count);
+[[nodiscard]] std::vector<PictureCamera> turntable(std::span<const Point> points,
+                                                   const ViewDirection& direction, double aspect, int count);
 
 }  // namespace graftsman

@@ -60,8 +60,7 @@ class Rasteriser {
       return static_cast<std::int32_t>(
           std::lrint(std::clamp(samples, -kFarthest, kFarthest) * static_cast<float>(kOne)));
     };
-    return {fixed(lens.centreX + p.x() * toSamples),
-            fixed(lens.centreY - p.y() * toSamples), nearness};
+    return {fixed(lens.centreX + p.x() * toSamples), fixed(lens.centreY - p.y() * toSamples), nearness};
   }
 
   // What remains of a face that reaches behind the plane z = kNearest: three or four corners.

@@ -10,9 +10,9 @@
 
 namespace graftsman::picture_detail {
 
-/// How the samples of a raster see the scene: sample (x, y) looks along ((x − centreX) step, (centreY − y) step,
-/// 1) in camera space: x to the right, y up, z into the picture, in units of the distance from the camera to
-/// its pivot.
+/// How the samples of a raster see the scene: sample (x, y) looks along ((x − centreX) step, (centreY − y)
+/// step, 1) in camera space: x to the right, y up, z into the picture, in units of the distance from the
+/// camera to its pivot.
 struct Lens {
   float centreX = 0;
   float centreY = 0;
@@ -38,7 +38,8 @@ struct Raster {
   std::vector<Sample> samples;          // height × width
 
   [[nodiscard]] const Sample& at(int x, int y) const {
-    return samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    return samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                   static_cast<std::size_t>(x)];
   }
 };
 

@@ -65,8 +65,8 @@ class MeasuresTest : public QObject {
     const TriangleMesh mesh(results.fused->points, results.fused->faces());
     const auto normal = [&](Index h) {
       const Face& face = mesh.face(TriangleMesh::faceOf(h));
-      return Eigen::Vector3d((mesh.point(face[1]) - mesh.point(face[0]))
-                                 .cross(mesh.point(face[2]) - mesh.point(face[0])));
+      return Eigen::Vector3d(
+          (mesh.point(face[1]) - mesh.point(face[0])).cross(mesh.point(face[2]) - mesh.point(face[0])));
     };
     double greatest = 0;
     double sum = 0;
@@ -77,7 +77,8 @@ class MeasuresTest : public QObject {
       const Index b = tile[static_cast<std::size_t>((i + 1) % results.combined->seamSize)];
       const Index h = mesh.halfedgeBetween(a, b);
       QVERIFY(h >= 0 && mesh.twin(h) >= 0);
-      const double angle = std::acos(std::clamp(normal(h).normalized().dot(normal(mesh.twin(h)).normalized()), -1.0, 1.0));
+      const double angle =
+          std::acos(std::clamp(normal(h).normalized().dot(normal(mesh.twin(h)).normalized()), -1.0, 1.0));
       const double length = (mesh.point(a) - mesh.point(b)).norm();
       greatest = std::max(greatest, angle);
       sum += angle * length;
@@ -118,7 +119,9 @@ class MeasuresTest : public QObject {
     std::size_t atMost = 0;
     const auto& faces = results.fused->faces();
     for (auto f = static_cast<std::size_t>(results.join->restFaces); f < faces.size(); ++f) {
-      const auto p = [&](std::size_t k) { return results.fused->points[static_cast<std::size_t>(faces[f][k])]; };
+      const auto p = [&](std::size_t k) {
+        return results.fused->points[static_cast<std::size_t>(faces[f][k])];
+      };
       const double a = (p(1) - p(2)).norm();
       const double b = (p(2) - p(0)).norm();
       const double c = (p(0) - p(1)).norm();
