@@ -68,60 +68,6 @@ Eigen::AlignedBox3d boxOf(const std::vector<Point>& points) {
   return box;
 }
 
-}  // namespace
-
-ViewDirection firstDirection(const FusionInputs& inputs, bool yUp) {
-  Eigen::Vector3d up = yUp ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d front = yUp ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitY());
-  const Eigen::Vector3d normal = normalOf(loopPoints(inputs));
-  if (std::abs(normal.dot(up)) <= kAlong) {
-    front = normal.norm() > 0.5 ? normal : front;
-  } else if (yUp) {
-    // Rather an OBJ file in which z is up than a region on top: the front is a loop's usual place.
-    up = Eigen::Vector3d::UnitZ();
-    front = normal;
-  } else {
-    front = (front + 1.5 * normal).normalized();
-  }
-  const Eigen::Vector3d beside = up.cross(front);
-  return {(front + kBeside * beside + kAbove * up).normalized(), up};
-}
-
-PictureCamera cameraFor(const FusionResults& results, FusionView view, const ViewDirection& direction,
-                        double aspect) {
-  std::vector<Point> tile = tilePoints(results);
-  std::vector<Point> shown;
-  if (results.fused) {
-    shown = bothShapes(results);
-  } else {
-    shown = usedPoints(*results.inputs.base);
-    shown.insert(shown.end(), tile.begin(), tile.end());
-  }
-  const PictureCamera whole = frame(shown, direction, aspect);
-  if (view == FusionView::Whole || tile.empty()) {
-    return whole;
-  }
-  const Eigen::AlignedBox3d box = boxOf(shown);
-  const Point centre = boxOf(tile).center();
-  for (Point& p : tile) {
-    p = (centre + kSurroundings * (p - centre)).cwiseMax(box.min()).cwiseMin(box.max());
-  }
-  const PictureCamera near = frame(tile, direction, aspect);
-  // Of a tile that is most of the shape, the surroundings are more than the shape.
-  const auto distance = [](const PictureCamera& camera) { return (camera.position - camera.pivot).norm(); };
-  return distance(near) < distance(whole) ? near : whole;
-}
-
-std::vector<Point> morphed(const FusionResults& results, double weight) {
-  std::vector<Point> points = results.join->points;
-  const CombinedTile& combined = *results.combined;
-  const std::vector<Index>& target = results.join->tileVertices;
-  for (std::size_t i = 0; i < target.size(); ++i) {
-    points[static_cast<std::size_t>(target[i])] = weight * combined.part[i] + (1 - weight) * combined.base[i];
-  }
-  return points;
-}
-
 std::vector<Point> bothShapes(const FusionResults& results) {
   std::vector<bool> used(results.join->points.size(), false);
   for (const Face& face : results.join->faces) {
@@ -134,6 +80,67 @@ std::vector<Point> bothShapes(const FusionResults& results) {
     if (used[v]) {
       points.push_back(results.join->points[v]);
     }
+  }
+  return points;
+}
+
+}  // namespace
+
+bool guessYUp(const FusionInputs& inputs, bool isObj) {
+  return isObj && std::abs(normalOf(loopPoints(inputs)).y()) <= kAlong;
+}
+
+ViewDirection firstDirection(const FusionInputs& inputs, bool yUp) {
+  const Eigen::Vector3d up = yUp ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d front = yUp ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitY());
+  const Eigen::Vector3d normal = normalOf(loopPoints(inputs));
+  if (std::abs(normal.dot(up)) > kAlong) {
+    front = (front + 1.5 * normal).normalized();
+  } else if (normal.norm() > 0.5) {
+    front = normal;
+  }
+  const Eigen::Vector3d beside = up.cross(front);
+  return {(front + kBeside * beside + kAbove * up).normalized(), up};
+}
+
+std::vector<Point> shownPoints(const FusionResults& results, FusionView view) {
+  std::vector<Point> tile = tilePoints(results);
+  std::vector<Point> shown;
+  if (results.fused) {
+    shown = bothShapes(results);
+  } else {
+    shown = usedPoints(*results.inputs.base);
+    shown.insert(shown.end(), tile.begin(), tile.end());
+  }
+  if (view == FusionView::Whole || tile.empty()) {
+    return shown;
+  }
+  const Eigen::AlignedBox3d box = boxOf(shown);
+  const Point centre = boxOf(tile).center();
+  for (Point& p : tile) {
+    p = (centre + kSurroundings * (p - centre)).cwiseMax(box.min()).cwiseMin(box.max());
+  }
+  return tile;
+}
+
+PictureCamera cameraFor(const FusionResults& results, FusionView view, const ViewDirection& direction,
+                        double aspect) {
+  const PictureCamera whole = frame(shownPoints(results, FusionView::Whole), direction, aspect);
+  if (view == FusionView::Whole) {
+    return whole;
+  }
+  const PictureCamera near = frame(shownPoints(results, view), direction, aspect);
+  // Of a tile that is most of the shape, the surroundings are more than the shape.
+  const auto distance = [](const PictureCamera& camera) { return (camera.position - camera.pivot).norm(); };
+  return distance(near) < distance(whole) ? near : whole;
+}
+
+std::vector<Point> morphed(const FusionResults& results, double weight) {
+  std::vector<Point> points = results.join->points;
+  const CombinedTile& combined = *results.combined;
+  const std::vector<Index>& target = results.join->tileVertices;
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    points[static_cast<std::size_t>(target[i])] = weight * combined.part[i] + (1 - weight) * combined.base[i];
   }
   return points;
 }

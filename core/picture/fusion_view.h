@@ -8,9 +8,12 @@ namespace graftsman {
 /// What a picture of a fusion shows: all of the result, or the tile with its surroundings.
 enum class FusionView { Whole, Tile };
 
+/// Whether y is up, rather than z: a guess, as is usual in OBJ files (`isObj`) unless the loop lies on top of
+/// such a mesh, since the front is a loop's usual place.
+[[nodiscard]] bool guessYUp(const FusionInputs& inputs, bool isObj);
+
 /// Where to look at a fusion's base from: at the loop, from a little beside and above; without a loop (of
-/// three points that the base has) from the front. `yUp`: y is up, as is usual in OBJ files, otherwise z;
-/// where the loop says otherwise (it lies on top of such a mesh) z.
+/// three points that the base has) from the front.
 [[nodiscard]] ViewDirection firstDirection(const FusionInputs& inputs, bool yUp);
 
 /// The camera that has a fusion in view at every setting of its curve: the base and the combined tile in both
@@ -23,7 +26,8 @@ enum class FusionView { Whole, Tile };
 /// 1. Precondition: `results.fused`.
 [[nodiscard]] std::vector<Point> morphed(const FusionResults& results, double weight);
 
-/// What cameraFor() frames when it shows the whole: R×3 positions of the result in both its shapes.
-[[nodiscard]] std::vector<Point> bothShapes(const FusionResults& results);
+/// The points that cameraFor() frames: of the whole, the result in both its shapes (or the base with the
+/// loop); of a tile, it with its surroundings.
+[[nodiscard]] std::vector<Point> shownPoints(const FusionResults& results, FusionView view);
 
 }  // namespace graftsman
