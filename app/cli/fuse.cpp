@@ -1,7 +1,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -13,9 +12,7 @@
 #include "core/fusion/verify.h"
 #include "core/io/report.h"
 #include "core/io/result_file.h"
-#include "core/io/scenario.h"
-#include "core/project/evaluate.h"
-#include "core/project/project_file.h"
+#include "core/project/read_fusion.h"
 
 using namespace graftsman;
 
@@ -33,63 +30,6 @@ Error naming(const std::string& file, Error error) {
     error.message = file + ": " + error.message;
   }
   return error;
-}
-
-// Whether the name ends in it, in any case.
-bool endsIn(const std::filesystem::path& path, std::string_view wanted) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) {
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return ending == wanted;
-}
-
-// The fusion that a project shows, as if a scenario had said it; what it is made of is computed.
-Result<LoadedScenario> fusionOf(const LoadedProject& loaded) {
-  if (!loaded.fusionIntact) {
-    return fail(loaded.damage.front());
-  }
-  const FusionList& fusions = loaded.project.document.fusions;
-  const FusionId shown = loaded.project.shown;
-  for (const Side side : {Side::Part, Side::Base}) {
-    if (!find(fusions, shown)->of(side)) {
-      return fail({ErrorCode::MeshEmpty,
-                   std::string("the project has no ") + name(side) + " yet. Load one in the workbench.",
-                   side});
-    }
-  }
-  if (!find(fusions, shown)->closed) {
-    return fail(ErrorCode::LoopTooShort, "the project's loop is not closed yet. Close it in the workbench.");
-  }
-  Evaluated known;
-  Upstream upstream = evaluateUpstream(fusions, shown, known, terminalProgress("Fusing"));
-  if (upstream.error) {
-    return fail(std::move(*upstream.error));
-  }
-  const Fusion resolved = resolve(*find(fusions, shown), upstream.assets);
-  LoadedScenario fusion;
-  fusion.scenario.part = resolved.part->source;
-  fusion.scenario.base = resolved.base->source;
-  fusion.scenario.inputs = resolved.inputs;
-  fusion.partReport = resolved.part->report;
-  fusion.baseReport = resolved.base->report;
-  return fusion;
-}
-
-Result<LoadedScenario> read(const std::filesystem::path& input) {
-  const Progress progress = terminalProgress("Reading");
-  if (!endsIn(input, ".graft")) {
-    return readScenario(input, progress);
-  }
-  const Result<LoadedProject> loaded = readProject(input, progress);
-  if (!loaded) {
-    return fail(loaded.error());
-  }
-  Result<LoadedScenario> fusion = fusionOf(*loaded);
-  if (fusion) {
-    fusion->scenario.name = input.stem().string();
-  }
-  return fusion;
 }
 
 Result<void> writeReport(const std::string& path, const std::string& text) {
@@ -141,9 +81,9 @@ Result<void> run(const FuseOptions& options) {
                     ": unknown format. Give the output a name that ends in .obj, .ply, .stl, .off or .glb.");
   }
   const Clock::time_point start = Clock::now();
-  Result<LoadedScenario> loaded = read(options.input);
+  Result<LoadedScenario> loaded = readFusion(options.input, terminalProgress("Reading"));
   if (!loaded) {
-    return fail(naming(options.input, std::move(loaded.error())));
+    return fail(std::move(loaded.error()));
   }
   if (Result<void> separate = checkTargets(options, loaded->scenario); !separate) {
     return separate;

@@ -8,13 +8,30 @@
 
 using graftsman::Progress;
 
-int reportError(const graftsman::Error& error) {
+namespace {
+
+void printLine(const char* kind, std::string line) {
   clearProgress();
-  std::string line = error.message;
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  std::fprintf(stderr, "graftsman-cli: error: %s\n", line.c_str());
+  std::fprintf(stderr, "graftsman-cli: %s: %s\n", kind, line.c_str());
+}
+
+}  // namespace
+
+int reportError(const graftsman::Error& error) {
+  printLine("error", error.message);
   return 1;
+}
+
+void reportWarning(const std::string& message) {
+  printLine("warning", message);
+}
+
+void showStep(std::size_t step, std::size_t steps, const std::string& name) {
+  if (isatty(STDERR_FILENO) != 0) {
+    std::fprintf(stderr, "\r\033[K%zu of %zu: %s", step, steps, name.c_str());
+  }
 }
 
 Progress terminalProgress(const char* task) {

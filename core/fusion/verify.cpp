@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/fusion/seam_angles.h"
 #include "core/mesh/triangle_distance.h"
 
 namespace graftsman {
@@ -83,32 +84,6 @@ void measureEmbedding(const CombinedTile& combined, Index sides, Verification& v
   }
   const double whole = sides * std::sin(2 * std::numbers::pi / sides) / 2;
   verification.embeddedAreaError = std::abs(sum - whole) / whole;
-}
-
-// Over the edges between a face of the combined tile and one of the remainder.
-void measureSeam(const FusedMesh& fused, const TriangleMesh& mesh, Verification& verification) {
-  const Index rest = fused.join->restFaces;
-  double angles = 0;
-  double lengths = 0;
-  for (Index h = 3 * rest; h < mesh.halfedgeCount(); ++h) {
-    const Index twin = mesh.twin(h);
-    if (twin < 0 || TriangleMesh::faceOf(twin) >= rest) {
-      continue;
-    }
-    const Eigen::Vector3d inner = areaVector(mesh.points(), mesh.face(TriangleMesh::faceOf(h)));
-    const Eigen::Vector3d outer = areaVector(mesh.points(), mesh.face(TriangleMesh::faceOf(twin)));
-    const double sine = inner.cross(outer).norm();
-    const double cosine = inner.dot(outer);
-    if (sine == 0 && cosine == 0) {
-      continue;  // a triangle without area has no normal
-    }
-    const double angle = std::atan2(sine, cosine) * kDegrees;
-    const double length = (mesh.point(mesh.to(h)) - mesh.point(mesh.from(h))).norm();
-    verification.greatestSeamAngle = std::max(verification.greatestSeamAngle, angle);
-    angles += angle * length;
-    lengths += length;
-  }
-  verification.meanSeamAngle = lengths > 0 ? angles / lengths : 0;
 }
 
 Index countChanged(const FusionResults& results) {
@@ -198,7 +173,9 @@ Verification verify(const FusionResults& results) {
   }
   verification.tolerance = std::max(1e-12, kPositionRounding * farthest / diagonal);
   measureEmbedding(combined, results.base.embedding->sides, verification);
-  measureSeam(*results.fused, mesh, verification);
+  const SeamAngles angles = seamAngles(results.fused->points, *results.join, combined.seamSize);
+  verification.meanSeamAngle = angles.mean * kDegrees;
+  verification.greatestSeamAngle = angles.greatest * kDegrees;
   verification.changedBaseVertices = countChanged(results);
   return verification;
 }

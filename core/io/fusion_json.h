@@ -50,6 +50,18 @@ enum class Places { Refused, Known };
 [[nodiscard]] Loop loop(const json& value, Places places = Places::Refused);
 [[nodiscard]] Ordered toJson(const Loop& loop);
 
+/// Single settings; `key` stands in the message. Each throws Malformed.
+/// A curve: a preset's name or a list of points [s, f]; null: linear.
+[[nodiscard]] FCF curve(const json* value, bool monotone, const std::string& key = "fcf");
+[[nodiscard]] double falloff(const json& value, const std::string& key = "deform_exponent");
+/// The settings with those that the object has; other keys of it are ignored.
+[[nodiscard]] AdjustmentSettings adjustment(const json& value, AdjustmentSettings settings,
+                                            const std::string& key = "adjustment");
+[[nodiscard]] EmbeddingSettings::Method embeddingMethod(const json& value,
+                                                        const std::string& key = "embedding");
+[[nodiscard]] Ordered toJson(const FCF& curve);
+[[nodiscard]] Ordered toJson(const AdjustmentSettings& settings);
+
 /// Reads every setting of a fusion that the object has into `inputs`: fcf, monotone, deform_exponent, paths,
 /// allow_large_tile, adjustment, embedding. What is malformed is given to `complain` and leaves its setting
 /// as it was; `complain` may throw.

@@ -76,77 +76,11 @@ SurfacePoint surfacePoint(const json& value, const std::string& key, Side side, 
   return point;
 }
 
-FCF takeCurve(Result<FCF> curve) {
+FCF takeCurve(Result<FCF> curve, const std::string& key) {
   if (!curve) {
-    throw Malformed{curve.error().code, "\"fcf\": " + curve.error().message};
+    throw Malformed{curve.error().code, "\"" + key + "\": " + curve.error().message};
   }
   return std::move(*curve);
-}
-
-FCF curveOf(const json* value, bool monotone) {
-  constexpr const char* kExpected =
-      "a list of at least four points [s, f], or \"linear\", \"paste\", \"keep-base-slope\" or \"half\"";
-  if (value == nullptr || value->is_string()) {
-    const auto preset =
-        value == nullptr ? FCF::Preset::Linear : presetNamed(value->get_ref<const std::string&>());
-    if (!preset) {
-      malformed("fcf", kExpected);
-    }
-    return takeCurve(FCF::through(FCF::preset(*preset).points(), monotone));
-  }
-  if (!value->is_array()) {
-    malformed("fcf", kExpected);
-  }
-  std::vector<FCFPoint> points;
-  points.reserve(value->size());
-  for (std::size_t i = 0; i < value->size(); ++i) {
-    const json& pair = (*value)[i];
-    const std::string key = item("fcf", i);
-    if (!pair.is_array() || pair.size() != 2) {
-      malformed(key, "a pair of numbers [s, f]");
-    }
-    points.push_back({number(pair[0], item(key, 0)), number(pair[1], item(key, 1))});
-  }
-  return takeCurve(FCF::through(std::move(points), monotone));
-}
-
-double falloff(const json& value) {
-  constexpr const char* kExpected = "a number greater than 0";
-  const double falloff = number(value, "deform_exponent", kExpected);
-  if (!(falloff > 0)) {
-    malformed("deform_exponent", kExpected);
-  }
-  return falloff;
-}
-
-// The settings with those that the object has.
-AdjustmentSettings adjustmentOf(const json& value, AdjustmentSettings settings) {
-  if (!value.is_object()) {
-    malformed("adjustment", "an object with rigid, scale, line_field, exact_fit, epsilon or max_iterations");
-  }
-  const auto flag = [&](const char* key, bool& target) {
-    if (const json* found = find(value, key)) {
-      target = boolean(*found, std::string("adjustment.") + key);
-    }
-  };
-  flag("rigid", settings.rigid);
-  flag("scale", settings.scale);
-  flag("line_field", settings.lineField);
-  flag("exact_fit", settings.exactFit);
-  if (const json* epsilon = find(value, "epsilon")) {
-    settings.epsilon = number(*epsilon, "adjustment.epsilon", "a number, 0 or more");
-    if (settings.epsilon < 0) {
-      malformed("adjustment.epsilon", "a number, 0 or more");
-    }
-  }
-  if (const json* iterations = find(value, "max_iterations")) {
-    constexpr const char* kExpected = "a whole number from 1 on";
-    settings.maxIterations = index(*iterations, "adjustment.max_iterations", kExpected);
-    if (settings.maxIterations < 1) {
-      malformed("adjustment.max_iterations", kExpected);
-    }
-  }
-  return settings;
 }
 
 // Whether brackets outside strings nest deeper than a file of ours may.
@@ -260,6 +194,75 @@ Loop loop(const json& value, Places places) {
   return result;
 }
 
+FCF curve(const json* value, bool monotone, const std::string& key) {
+  constexpr const char* kExpected =
+      "a list of at least four points [s, f], or \"linear\", \"paste\", \"keep-base-slope\" or \"half\"";
+  if (value == nullptr || value->is_string()) {
+    const auto preset =
+        value == nullptr ? FCF::Preset::Linear : presetNamed(value->get_ref<const std::string&>());
+    if (!preset) {
+      malformed(key, kExpected);
+    }
+    return takeCurve(FCF::through(FCF::preset(*preset).points(), monotone), key);
+  }
+  if (!value->is_array()) {
+    malformed(key, kExpected);
+  }
+  std::vector<FCFPoint> points;
+  points.reserve(value->size());
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    const json& pair = (*value)[i];
+    const std::string place = item(key, i);
+    if (!pair.is_array() || pair.size() != 2) {
+      malformed(place, "a pair of numbers [s, f]");
+    }
+    points.push_back({number(pair[0], item(place, 0)), number(pair[1], item(place, 1))});
+  }
+  return takeCurve(FCF::through(std::move(points), monotone), key);
+}
+
+double falloff(const json& value, const std::string& key) {
+  constexpr const char* kExpected = "a number greater than 0";
+  const double falloff = number(value, key, kExpected);
+  if (!(falloff > 0)) {
+    malformed(key, kExpected);
+  }
+  return falloff;
+}
+
+AdjustmentSettings adjustment(const json& value, AdjustmentSettings settings, const std::string& key) {
+  if (!value.is_object()) {
+    malformed(key, "an object with rigid, scale, line_field, exact_fit, epsilon or max_iterations");
+  }
+  const auto flag = [&](const char* name, bool& target) {
+    if (const json* found = find(value, name)) {
+      target = boolean(*found, key + "." + name);
+    }
+  };
+  flag("rigid", settings.rigid);
+  flag("scale", settings.scale);
+  flag("line_field", settings.lineField);
+  flag("exact_fit", settings.exactFit);
+  if (const json* epsilon = find(value, "epsilon")) {
+    settings.epsilon = number(*epsilon, key + ".epsilon", "a number, 0 or more");
+    if (settings.epsilon < 0) {
+      malformed(key + ".epsilon", "a number, 0 or more");
+    }
+  }
+  if (const json* iterations = find(value, "max_iterations")) {
+    constexpr const char* kExpected = "a whole number from 1 on";
+    settings.maxIterations = index(*iterations, key + ".max_iterations", kExpected);
+    if (settings.maxIterations < 1) {
+      malformed(key + ".max_iterations", kExpected);
+    }
+  }
+  return settings;
+}
+
+EmbeddingSettings::Method embeddingMethod(const json& value, const std::string& key) {
+  return oneOf(value, key, scenario_keys::kEmbeddingMethods);
+}
+
 void readSettings(const json& object, FusionInputs& inputs,
                   const std::function<void(const Malformed&)>& complain) {
   const auto attempt = [&](const auto& setting) {
@@ -276,15 +279,13 @@ void readSettings(const json& object, FusionInputs& inputs,
   };
   bool monotone = true;
   read("monotone", [&](const json& value) { monotone = boolean(value, "monotone"); });
-  attempt([&] { inputs.fcf = curveOf(find(object, "fcf"), monotone); });
+  attempt([&] { inputs.fcf = curve(find(object, "fcf"), monotone); });
   read("deform_exponent", [&](const json& value) { inputs.adjustment.falloff = falloff(value); });
   read("paths", [&](const json& value) { inputs.paths = oneOf(value, "paths", scenario_keys::kPathModes); });
   read("allow_large_tile",
        [&](const json& value) { inputs.tile.allowLargeTile = boolean(value, "allow_large_tile"); });
-  read("adjustment", [&](const json& value) { inputs.adjustment = adjustmentOf(value, inputs.adjustment); });
-  read("embedding", [&](const json& value) {
-    inputs.embedding.method = oneOf(value, "embedding", scenario_keys::kEmbeddingMethods);
-  });
+  read("adjustment", [&](const json& value) { inputs.adjustment = adjustment(value, inputs.adjustment); });
+  read("embedding", [&](const json& value) { inputs.embedding.method = embeddingMethod(value); });
 }
 
 ReadReport readReport(const json& value) {

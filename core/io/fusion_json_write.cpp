@@ -26,20 +26,28 @@ Ordered toJson(const Loop& loop) {
   return list;
 }
 
+Ordered toJson(const FCF& curve) {
+  Ordered list = Ordered::array();
+  for (const FCFPoint& point : curve.points()) {
+    list.push_back(Ordered::array({point.s, point.f}));
+  }
+  return list;
+}
+
+Ordered toJson(const AdjustmentSettings& settings) {
+  return {{"rigid", settings.rigid},          {"scale", settings.scale},
+          {"line_field", settings.lineField}, {"exact_fit", settings.exactFit},
+          {"epsilon", settings.epsilon},      {"max_iterations", settings.maxIterations}};
+}
+
 void writeInputs(Ordered& object, const FusionInputs& inputs) {
   object["cvp"] = toJson(inputs.loop);
-  object["fcf"] = Ordered::array();
-  for (const FCFPoint& point : inputs.fcf.points()) {
-    object["fcf"].push_back(Ordered::array({point.s, point.f}));
-  }
+  object["fcf"] = toJson(inputs.fcf);
   object["monotone"] = inputs.fcf.monotone();
   object["deform_exponent"] = inputs.adjustment.falloff;
   object["paths"] = scenario_keys::wordFor(scenario_keys::kPathModes, inputs.paths);
   object["allow_large_tile"] = inputs.tile.allowLargeTile;
-  object["adjustment"] = {
-      {"rigid", inputs.adjustment.rigid},          {"scale", inputs.adjustment.scale},
-      {"line_field", inputs.adjustment.lineField}, {"exact_fit", inputs.adjustment.exactFit},
-      {"epsilon", inputs.adjustment.epsilon},      {"max_iterations", inputs.adjustment.maxIterations}};
+  object["adjustment"] = toJson(inputs.adjustment);
   object["embedding"] = scenario_keys::wordFor(scenario_keys::kEmbeddingMethods, inputs.embedding.method);
 }
 

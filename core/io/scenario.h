@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
@@ -24,6 +25,9 @@ struct LoadedScenario {
   Scenario scenario;
   ReadReport partReport;
   ReadReport baseReport;
+  /// As MeshFile::vertexOfFileVertex; also empty where unknown.
+  std::vector<Index> partVertexOfFileVertex;
+  std::vector<Index> baseVertexOfFileVertex;
 };
 
 /// Parses the JSON text of a scenario. Keys: name (the file's name without it), m1, m2, cvp (a list of
@@ -40,6 +44,16 @@ struct LoadedScenario {
 /// The JSON text of a scenario that would be saved at `path`: parseScenario() of it with the same path gives
 /// an equal scenario, numbers bit for bit. Ends with a newline.
 [[nodiscard]] std::string formatScenario(const Scenario& scenario, const std::filesystem::path& path);
+
+/// Turns one side's CVs from a file's numbers into the mesh's that was read from it: `vertexOfFileVertex` is
+/// MeshFile's. Error: LoopIndexOutOfRange (names the CV, the file and what it has).
+[[nodiscard]] Result<void> useMeshNumbers(Loop& loop, Side side, const TriangleMesh& mesh,
+                                          const std::vector<Index>& vertexOfFileVertex,
+                                          const std::filesystem::path& path);
+
+/// The content of a JSON file that a person wrote or saved, `what` ("scenario"). Errors: FileUnreadable,
+/// ScenarioMalformed (too large to be one).
+[[nodiscard]] Result<std::string> readJsonText(const std::filesystem::path& path, const char* what);
 
 /// Reads a scenario and its two meshes (each file once: m1 and m2 alike share one mesh). Errors:
 /// FileUnreadable, those of parseScenario and readMesh, and LoopIndexOutOfRange (names the CV, the file and

@@ -15,7 +15,14 @@ std::string shown(const std::filesystem::path& path) {
   return printable(path.string(), kLongestPathShown);
 }
 
-Result<std::string> readText(const std::filesystem::path& path) {
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  return a == b || std::filesystem::equivalent(a, b, error);
+}
+
+}  // namespace
+
+Result<std::string> readJsonText(const std::filesystem::path& path, const char* what) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) {
@@ -23,7 +30,7 @@ Result<std::string> readText(const std::filesystem::path& path) {
   }
   if (size > kGreatestFile) {
     return fail(ErrorCode::ScenarioMalformed,
-                shown(path) + ": too large for a scenario (" + std::to_string(size) + " bytes).");
+                shown(path) + ": too large for a " + what + " (" + std::to_string(size) + " bytes).");
   }
   std::ifstream stream(path, std::ios::binary);
   std::string text(size, '\0');
@@ -34,15 +41,14 @@ Result<std::string> readText(const std::filesystem::path& path) {
   return text;
 }
 
-// Turns one side's CVs from the file's numbers into the mesh's.
-Result<void> mapCvs(Loop& loop, Side side, const MeshFile& file, const std::filesystem::path& path) {
-  const auto& map = file.vertexOfFileVertex;
-  const std::size_t vertices = map.empty() ? static_cast<std::size_t>(file.mesh->vertexCount()) : map.size();
+Result<void> useMeshNumbers(Loop& loop, Side side, const TriangleMesh& mesh, const std::vector<Index>& map,
+                            const std::filesystem::path& path) {
+  const std::size_t vertices = map.empty() ? static_cast<std::size_t>(mesh.vertexCount()) : map.size();
   for (std::size_t i = 0; i < loop.size(); ++i) {
     SurfacePoint& point = side == Side::Part ? loop[i].part : loop[i].base;
     const bool isVertex = point.vertex >= 0;
     const auto number = static_cast<std::size_t>(isVertex ? point.vertex : point.face);
-    const std::size_t count = isVertex ? vertices : static_cast<std::size_t>(file.mesh->faceCount());
+    const std::size_t count = isVertex ? vertices : static_cast<std::size_t>(mesh.faceCount());
     if (number >= count) {
       const std::string kind = isVertex ? "vertex" : "face";
       return fail({ErrorCode::LoopIndexOutOfRange,
@@ -60,15 +66,8 @@ Result<void> mapCvs(Loop& loop, Side side, const MeshFile& file, const std::file
   return {};
 }
 
-bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code error;
-  return a == b || std::filesystem::equivalent(a, b, error);
-}
-
-}  // namespace
-
 Result<LoadedScenario> readScenario(const std::filesystem::path& path, const Progress& progress) {
-  const Result<std::string> text = readText(path);
+  const Result<std::string> text = readJsonText(path, "scenario");
   if (!text) {
     return fail(text.error());
   }
@@ -92,15 +91,17 @@ Result<LoadedScenario> readScenario(const std::filesystem::path& path, const Pro
   FusionInputs& inputs = scenario->inputs;
   for (const Side side : {Side::Part, Side::Base}) {
     const bool isPart = side == Side::Part;
-    const Result<void> mapped =
-        mapCvs(inputs.loop, side, isPart ? *part : *base, isPart ? scenario->part : scenario->base);
+    const MeshFile& file = isPart ? *part : *base;
+    const Result<void> mapped = useMeshNumbers(inputs.loop, side, *file.mesh, file.vertexOfFileVertex,
+                                               isPart ? scenario->part : scenario->base);
     if (!mapped) {
       return fail(mapped.error());
     }
   }
   inputs.part = part->mesh;
   inputs.base = base->mesh;
-  return LoadedScenario{std::move(*scenario), part->report, base->report};
+  return LoadedScenario{std::move(*scenario), part->report, base->report, part->vertexOfFileVertex,
+                        base->vertexOfFileVertex};
 }
 
 }  // namespace graftsman
