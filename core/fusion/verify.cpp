@@ -9,6 +9,9 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/fusion/seam_angles.h"
+#include "core/mesh/triangle_distance.h"
+
 namespace graftsman {
 namespace {
 
@@ -18,28 +21,6 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kCornerRounding = 4 * 2.220446049250313e-16;
 // A position's rounding, in units of the greatest coordinate: a sum of three products, each rounded.
 constexpr double kPositionRounding = 8 * 2.220446049250313e-16;
-
-double distanceToSegment(const Point& p, const Point& a, const Point& b) {
-  const Eigen::Vector3d ab = b - a;
-  const double squared = ab.squaredNorm();
-  const double t = squared > 0 ? std::clamp(ab.dot(p - a) / squared, 0.0, 1.0) : 0;
-  return (p - (a + t * ab)).norm();
-}
-
-// From a triangle: the nearest of its edges, or its plane where p is above the inside. Needles keep their
-// accuracy.
-double distanceToTriangle(const Point& p, const Point& a, const Point& b, const Point& c) {
-  const double edges =
-      std::min({distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
-  const Eigen::Vector3d normal = (b - a).cross(c - a);
-  const auto inside = [&](const Point& from, const Point& to) {
-    return (to - from).cross(p - from).dot(normal) >= 0;
-  };
-  if (normal.squaredNorm() == 0 || !inside(a, b) || !inside(b, c) || !inside(c, a)) {
-    return edges;
-  }
-  return std::min(edges, std::abs((p - a).dot(normal)) / normal.norm());
-}
 
 // The vertices of an embedding in space: the tile's, then the added ones.
 std::vector<Point> embeddedPoints(std::span<const Point> tile, const Embedding& embedding) {
@@ -103,32 +84,6 @@ void measureEmbedding(const CombinedTile& combined, Index sides, Verification& v
   }
   const double whole = sides * std::sin(2 * std::numbers::pi / sides) / 2;
   verification.embeddedAreaError = std::abs(sum - whole) / whole;
-}
-
-// Over the edges between a face of the combined tile and one of the remainder.
-void measureSeam(const FusedMesh& fused, const TriangleMesh& mesh, Verification& verification) {
-  const Index rest = fused.join->restFaces;
-  double angles = 0;
-  double lengths = 0;
-  for (Index h = 3 * rest; h < mesh.halfedgeCount(); ++h) {
-    const Index twin = mesh.twin(h);
-    if (twin < 0 || TriangleMesh::faceOf(twin) >= rest) {
-      continue;
-    }
-    const Eigen::Vector3d inner = areaVector(mesh.points(), mesh.face(TriangleMesh::faceOf(h)));
-    const Eigen::Vector3d outer = areaVector(mesh.points(), mesh.face(TriangleMesh::faceOf(twin)));
-    const double sine = inner.cross(outer).norm();
-    const double cosine = inner.dot(outer);
-    if (sine == 0 && cosine == 0) {
-      continue;  // a triangle without area has no normal
-    }
-    const double angle = std::atan2(sine, cosine) * kDegrees;
-    const double length = (mesh.point(mesh.to(h)) - mesh.point(mesh.from(h))).norm();
-    verification.greatestSeamAngle = std::max(verification.greatestSeamAngle, angle);
-    angles += angle * length;
-    lengths += length;
-  }
-  verification.meanSeamAngle = lengths > 0 ? angles / lengths : 0;
 }
 
 Index countChanged(const FusionResults& results) {
@@ -218,7 +173,9 @@ Verification verify(const FusionResults& results) {
   }
   verification.tolerance = std::max(1e-12, kPositionRounding * farthest / diagonal);
   measureEmbedding(combined, results.base.embedding->sides, verification);
-  measureSeam(*results.fused, mesh, verification);
+  const SeamAngles angles = seamAngles(results.fused->points, *results.join, combined.seamSize);
+  verification.meanSeamAngle = angles.mean * kDegrees;
+  verification.greatestSeamAngle = angles.greatest * kDegrees;
   verification.changedBaseVertices = countChanged(results);
   return verification;
 }
