@@ -119,7 +119,7 @@ constexpr Entry kEntries[] = {
     {"variantsMenu", "keepVariant", TEXT("&Keep as a variant"), "keep", "Ctrl+B",
      TEXT("Keep the present state among the variants")},
     {"variantsMenu", ""},
-    {"variantsMenu", "applyVariant", TEXT("&Apply"), "ok", "",
+    {"variantsMenu", "applyVariant", TEXT("&Apply"), "", "",
      TEXT("Make the selected variant the present state: Enter or a double click")},
     {"variantsMenu", "renameVariant", TEXT("Re&name"), "", "Shift+F2",
      TEXT("Give the selected variant another name")},

@@ -1,5 +1,6 @@
 #include "app/workbench/variant_pictures.h"
 
+#include <QColorSpace>
 #include <QMetaObject>
 #include <algorithm>
 #include <cmath>
@@ -37,9 +38,11 @@ PictureShading shadingFor(bool dark) {
 
 QImage toImage(const Picture& picture) {
   static_assert(sizeof(Colour) == 3);
-  return QImage(picture.pixels.data()->data(), picture.size.width, picture.size.height,
-                3 * picture.size.width, QImage::Format_RGB888)
-      .convertToFormat(QImage::Format_RGB32);
+  QImage image = QImage(picture.pixels.data()->data(), picture.size.width, picture.size.height,
+                        3 * picture.size.width, QImage::Format_RGB888)
+                     .convertToFormat(QImage::Format_RGB32);
+  image.setColorSpace(QColorSpace::SRgb);  // as it is once read from its file
+  return image;
 }
 
 bool equal(const PictureCamera& a, const PictureCamera& b) {

@@ -1,6 +1,6 @@
 #include "widgets/variants/variants_filter.h"
 
-#include <QCollator>
+#include <QLocale>
 #include <algorithm>
 
 #include "widgets/variants/variants_model.h"
@@ -8,17 +8,18 @@
 namespace graftsman {
 namespace {
 
-// "Nose 2" before "Nose 10".
-int compareNames(const QString& a, const QString& b) {
-  QCollator collator;
-  collator.setNumericMode(true);
-  collator.setCaseSensitivity(Qt::CaseInsensitive);
-  return collator.compare(a, b);
+// The locale "C" knows no numbers in names.
+QLocale locale() {
+  const QLocale system;
+  return system.language() == QLocale::C ? QLocale(QLocale::English) : system;
 }
 
 }  // namespace
 
-VariantsFilter::VariantsFilter(QObject* parent) : QSortFilterProxyModel(parent) {
+VariantsFilter::VariantsFilter(QObject* parent) : QSortFilterProxyModel(parent), collator_(locale()) {
+  // "Nose 2" before "Nose 10".
+  collator_.setNumericMode(true);
+  collator_.setCaseSensitivity(Qt::CaseInsensitive);
   setDynamicSortFilter(true);
   sort(0);
 }
@@ -67,7 +68,7 @@ bool VariantsFilter::lessThan(const QModelIndex& a, const QModelIndex& b) const 
   }
   if (order_ == Order::Name) {
     const int names =
-        compareNames(a.data(VariantsModel::Name).toString(), b.data(VariantsModel::Name).toString());
+        collator_.compare(a.data(VariantsModel::Name).toString(), b.data(VariantsModel::Name).toString());
     if (names != 0) {
       return names < 0;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCollator>
 #include <QSortFilterProxyModel>
 
 namespace graftsman {
@@ -27,6 +28,7 @@ class VariantsFilter : public QSortFilterProxyModel {
   Order order_ = Order::Number;
   bool starredOnly_ = false;
   QStringList words_;
+  QCollator collator_;
 };
 
 }  // namespace graftsman
