@@ -14,6 +14,11 @@ class EditCommand : public QUndoCommand {
   void undo() override;
   void redo() override;
   [[nodiscard]] bool changesNothing() const { return before_ == after_; }
+  /// The document before and after it, and the fusion that is shown with each.
+  [[nodiscard]] const Document& before() const { return before_; }
+  [[nodiscard]] const Document& after() const { return after_; }
+  [[nodiscard]] FusionId showsBefore() const { return shownBefore_; }
+  [[nodiscard]] FusionId showsAfter() const { return shownAfter_; }
 
  protected:
   /// Of the fusion that is shown.

@@ -55,7 +55,10 @@ constexpr Entry kEntries[] = {
      "mode"},
     {"viewMenu", "fusionMode", TEXT("&Fusion"), "fusion", "F3", TEXT("The result and the fusion curve"),
      "mode"},
-    {"viewMenu", "startPage", TEXT("&Start page"), "", "F4", TEXT("Samples and recent projects"), "mode"},
+    {"viewMenu", "variantsMode", TEXT("&Variants"), "variants", "F4", TEXT("The variants that were kept"),
+     "mode"},
+    {"viewMenu", "startPage", TEXT("&Start page"), "", "Alt+Home", TEXT("Samples and recent projects"),
+     "mode"},
     {"viewMenu", ""},
     {"viewMenu", "frame", TEXT("Fr&ame all"), "frame", "F", TEXT("Bring all of the pane's shape into view")},
     {"viewMenu", "front", TEXT("Front"), "", "1", TEXT("Look from the front")},
@@ -113,6 +116,28 @@ constexpr Entry kEntries[] = {
     {"fusionMenu", ""},
     {"fusionMenu", "cancel", TEXT("Ca&ncel"), "cancel", "Ctrl+.", TEXT("Stop what is being computed")},
 
+    {"variantsMenu", "keepVariant", TEXT("&Keep as a variant"), "keep", "Ctrl+B",
+     TEXT("Keep the present state among the variants")},
+    {"variantsMenu", ""},
+    {"variantsMenu", "applyVariant", TEXT("&Apply"), "", "",
+     TEXT("Make the selected variant the present state: Enter or a double click")},
+    {"variantsMenu", "renameVariant", TEXT("Re&name"), "", "Shift+F2",
+     TEXT("Give the selected variant another name")},
+    {"variantsMenu", "starVariants", TEXT("&Star"), "star", "Ctrl+D",
+     TEXT("Give the selected variants a star, or take it: S")},
+    {"variantsMenu", "removeVariants", TEXT("Re&move"), "delete", "",
+     TEXT("Remove the selected variants: Delete")},
+    {"variantsMenu", ""},
+    {"variantsMenu", "giveCurve", TEXT("Give them this &curve"), "", "Ctrl+Shift+C",
+     TEXT("The selected variants take the fusion curve that is shown")},
+    {"variantsMenu", "giveAdjustment", TEXT("Give them this a&djustment"), "", "Ctrl+Shift+A",
+     TEXT("The selected variants take the adjustment that is shown")},
+    {"variantsMenu", "crossVariants", TEXT("Cross: &loop of the first, curve of the second"), "",
+     "Ctrl+Shift+X", TEXT("A new variant of two: all of the first, but the curve of the one selected last")},
+    {"variantsMenu", ""},
+    {"variantsMenu", "picturesFromHere", TEXT("&Pictures from this view"), "picture", "Ctrl+Shift+V",
+     TEXT("Draw all variants from where the result is seen now")},
+
     {"helpMenu", "findAction", TEXT("&Find an action…"), "find", "Ctrl+K",
      TEXT("Find what the program can do by name")},
     {"helpMenu", "shortcuts", TEXT("&Shortcuts"), "help", "F1", TEXT("Every key and mouse button")},
@@ -165,6 +190,7 @@ void Actions::fill(QMenuBar* bar) {
   add("editMenu", tr("&Edit"));
   add("viewMenu", tr("&View"));
   add("fusionMenu", tr("F&usion"));
+  add("variantsMenu", tr("V&ariants"));
   add("helpMenu", tr("&Help"));
   for (const Entry& entry : kEntries) {
     QMenu* menu = menus_.value(entry.menu);

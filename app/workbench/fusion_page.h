@@ -28,6 +28,7 @@ class FusionPage : public QWidget {
   [[nodiscard]] ResultPane* pane() const { return pane_; }
   /// The result that is shown; null: none. It may be of older inputs than the document's.
   [[nodiscard]] const FusionResults* shown() const { return shown_.get(); }
+  [[nodiscard]] const std::shared_ptr<const FusionResults>& shownResults() const { return shown_; }
   void setOutcome(const std::shared_ptr<const Outcome>& outcome);
   void setBusy(std::optional<double> progress);
 

@@ -2,6 +2,7 @@
 
 #include <QDockWidget>
 #include <QEvent>
+#include <QListView>
 #include <QMenuBar>
 #include <QSettings>
 #include <QStackedWidget>
@@ -29,6 +30,7 @@
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/stages_panel.h"
 #include "widgets/theme/theme.h"
+#include "widgets/variants/variants_gallery.h"
 #include "widgets/viewport/mesh_pane.h"
 #include "widgets/viewport/result_pane.h"
 
@@ -66,6 +68,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
       start_(new StartPage),
       tiles_(new TilesPage(*model_, *editor_)),
       fusion_(new FusionPage(*model_)),
+      variants_(new VariantsPage(*model_, [this] { return resultView(); })),
       pairs_(new PairsPanel),
       curve_(new FusionCurvePanel),
       adjustment_(new AdjustmentPanel),
@@ -74,7 +77,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
   setObjectName("mainWindow");
   setAcceptDrops(true);
   pages_->setObjectName("pages");
-  for (QWidget* page : std::initializer_list<QWidget*>{start_, tiles_, fusion_}) {
+  for (QWidget* page : std::initializer_list<QWidget*>{start_, tiles_, fusion_, variants_}) {
     pages_->addWidget(page);
   }
   setCentralWidget(pages_);
@@ -89,6 +92,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
   connectPanels();
   connectFiles();
   connectActions();
+  connectVariants();
   restoreLayout();
   setMode(Mode::Start);
   showTitle();
@@ -151,10 +155,11 @@ void MainWindow::makeToolBar() {
     }
     bar->addSeparator();
   };
-  add({"tilesMode", "fusionMode"});
+  add({"tilesMode", "fusionMode", "variantsMode"});
   add({"undo", "redo"});
   add({"loadPart", "loadBase"});
   add({"closeLoop", "reverse", "shift"});
+  add({"keepVariant"});
   bar->addAction((*actions_)["findAction"]);
   for (const char* name : {"undo", "redo", "findAction"}) {
     if (auto* button = bar->widgetForAction((*actions_)[name])) {
@@ -301,33 +306,51 @@ void MainWindow::connectPanels() {
 
 MainWindow::Mode MainWindow::mode() const {
   const QWidget* page = pages_->currentWidget();
-  return page == tiles_ ? Mode::Tiles : page == fusion_ ? Mode::Fusion : Mode::Start;
+  return page == tiles_      ? Mode::Tiles
+         : page == fusion_   ? Mode::Fusion
+         : page == variants_ ? Mode::Variants
+                             : Mode::Start;
 }
 
 void MainWindow::setMode(Mode mode) {
-  pages_->setCurrentWidget(mode == Mode::Tiles    ? static_cast<QWidget*>(tiles_)
-                           : mode == Mode::Fusion ? static_cast<QWidget*>(fusion_)
-                                                  : start_);
+  QWidget* page = start_;
+  const char* action = "startPage";
+  switch (mode) {
+    case Mode::Start:
+      break;
+    case Mode::Tiles:
+      page = tiles_;
+      action = "tilesMode";
+      break;
+    case Mode::Fusion:
+      page = fusion_;
+      action = "fusionMode";
+      break;
+    case Mode::Variants:
+      page = variants_;
+      action = "variantsMode";
+      break;
+  }
+  pages_->setCurrentWidget(page);
   showDocksOf(mode);
-  (*actions_)[mode == Mode::Tiles    ? "tilesMode"
-              : mode == Mode::Fusion ? "fusionMode"
-                                     : "startPage"]
-      ->setChecked(true);
+  (*actions_)[action]->setChecked(true);
   if (Viewport* viewport = currentViewport()) {
     viewport->setFocus();
+  } else if (mode == Mode::Variants) {
+    variants_->gallery()->view()->setFocus();
   }
   enableActions();
 }
 
-// The pairs belong to Tiles mode, the curve to Fusion mode; the other panels are in both, those that the
-// person closed in neither; none is on the start page.
+// The pairs belong to Tiles mode, the curve to Fusion mode; the other panels are in all modes, those that the
+// person closed in none; none is on the start page.
 void MainWindow::showDocksOf(Mode mode) {
   pairsDock_->setVisible(mode == Mode::Tiles);
   curveDock_->setVisible(mode == Mode::Fusion);
   for (QDockWidget* dock : sharedDocks_) {
     dock->setVisible(mode != Mode::Start && !dock->property(kClosedByPerson).toBool());
   }
-  if (mode != Mode::Start && !laidOut_.contains(mode)) {
+  if ((mode == Mode::Tiles || mode == Mode::Fusion) && !laidOut_.contains(mode)) {
     laidOut_.insert(mode);
     const int wanted = adjustment_->sizeHint().height() + kDockFrame;
     const int lower = std::min(wanted, pages_->height() / 2);
@@ -349,7 +372,7 @@ void MainWindow::lookAtFirst() {
 }
 
 Viewport* MainWindow::currentViewport() const {
-  if (mode() == Mode::Start) {
+  if (mode() == Mode::Start || mode() == Mode::Variants) {
     return nullptr;
   }
   if (mode() == Mode::Fusion) {

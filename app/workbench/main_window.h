@@ -7,6 +7,7 @@
 #include "app/document/document_model.h"
 #include "app/document/stage_runner.h"
 #include "app/workbench/project_files.h"
+#include "app/workbench/variants_page.h"
 
 class QDockWidget;
 class QFileDialog;
@@ -37,7 +38,7 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const QString& recoveryFolder, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  enum class Mode { Start, Tiles, Fusion };
+  enum class Mode { Start, Tiles, Fusion, Variants };
   void setMode(Mode mode);
   [[nodiscard]] Mode mode() const;
 
@@ -48,6 +49,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Autosave& autosave() const { return *autosave_; }
   [[nodiscard]] const Actions& actions() const { return *actions_; }
   [[nodiscard]] FusionPage& fusionPage() const { return *fusion_; }
+  [[nodiscard]] VariantsPage& variantsPage() const { return *variants_; }
 
   /// Opens a project or a scenario, or a mesh as the side that is still missing.
   void openFile(const QString& path);
@@ -91,6 +93,11 @@ class MainWindow : public QMainWindow {
   void enableActions();
   void showUndoTexts();
 
+  // window_variants.cpp
+  [[nodiscard]] VariantsPage::View resultView() const;
+  void connectVariants();
+  void enableVariants();
+
   // window_files.cpp
   [[nodiscard]] ProjectView projectView();
   void connectFiles();
@@ -119,6 +126,7 @@ class MainWindow : public QMainWindow {
   StartPage* start_;
   TilesPage* tiles_;
   FusionPage* fusion_;
+  VariantsPage* variants_;
   PairsPanel* pairs_;
   FusionCurvePanel* curve_;
   AdjustmentPanel* adjustment_;

@@ -79,6 +79,7 @@ void ProjectFiles::show(Project project, const QString& path, const QString& nam
   path_ = path;
   name_ = name;
   remains_ = std::move(project.remains);
+  view_.restorePictures(project.document, std::move(project.variantPictures));
   model_.reset(std::move(project.document), project.shown);
   if (unsaved) {
     model_.history()->resetClean();
@@ -132,7 +133,7 @@ void ProjectFiles::recover(const QString& recoveryPath, const QString& originalP
 }
 
 Project ProjectFiles::snapshot() const {
-  return {model_.document(), model_.shown(), view_.thumbnail(), {}, view_.state(), remains_};
+  return {model_.document(), model_.shown(), view_.thumbnail(), view_.pictures(), view_.state(), remains_};
 }
 
 void ProjectFiles::save(const QString& path, std::function<void()> then) {

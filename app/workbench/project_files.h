@@ -16,9 +16,11 @@ class JobQueue;
 
 /// What the window adds to a project when it is saved, and takes from one that is opened.
 struct ProjectView {
-  std::function<std::string()> thumbnail;                 // PNG bytes of the present look
-  std::function<std::string()> state;                     // JSON text
-  std::function<void(const std::string& state)> restore;  // after a project was opened
+  std::function<std::string()> thumbnail;                      // PNG bytes of the present look
+  std::function<std::string()> state;                          // JSON text
+  std::function<void(const std::string& state)> restore;       // after a project was opened
+  std::function<std::map<VariantId, std::string>()> pictures;  // PNG bytes of those that have one
+  std::function<void(const Document&, std::map<VariantId, std::string>)> restorePictures;  // before that
 };
 
 /// The document's file: new, open, save, import, export; each on the job queue, told of when it is done.

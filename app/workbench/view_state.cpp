@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/workbench/main_window.h"
+#include "app/workbench/variant_pictures.h"
 #include "widgets/viewport/viewport.h"
 
 namespace graftsman {
@@ -14,7 +15,8 @@ namespace {
 
 constexpr std::pair<const char*, MainWindow::Mode> kModes[] = {{"start", MainWindow::Mode::Start},
                                                                {"tiles", MainWindow::Mode::Tiles},
-                                                               {"fusion", MainWindow::Mode::Fusion}};
+                                                               {"fusion", MainWindow::Mode::Fusion},
+                                                               {"variants", MainWindow::Mode::Variants}};
 constexpr const char* kPanes[] = {"partPane", "basePane", "resultPane"};
 
 QJsonArray toJson(const Eigen::Vector3d& v) {
@@ -41,6 +43,15 @@ bool isUsable(const Camera& camera) {
   return camera.position != camera.pivot && camera.up.norm() > 0 && std::abs(camera.axis.norm() - 1) < 1e-9;
 }
 
+void readPictures(const QJsonObject& values, VariantPictures& pictures) {
+  PictureCamera camera;
+  camera.viewAngle = values["angle"].toDouble();
+  const bool usable = fromJson(values["position"], camera.position) &&
+                      fromJson(values["pivot"], camera.pivot) && fromJson(values["up"], camera.up) &&
+                      camera.viewAngle > 0 && camera.viewAngle < 3;
+  pictures.restoreLook(usable ? std::optional(camera) : std::nullopt, values["dark"].toBool(pictures.dark()));
+}
+
 }  // namespace
 
 std::string writeViewState(const MainWindow& window) {
@@ -59,6 +70,14 @@ std::string writeViewState(const MainWindow& window) {
                                 {"axis", toJson(camera.axis)}};
   }
   state["cameras"] = cameras;
+  const VariantPictures& pictures = *window.variantsPage().pictures();
+  if (const auto& camera = pictures.camera()) {
+    state["variantPictures"] = QJsonObject{{"position", toJson(camera->position)},
+                                           {"pivot", toJson(camera->pivot)},
+                                           {"up", toJson(camera->up)},
+                                           {"angle", camera->viewAngle},
+                                           {"dark", pictures.dark()}};
+  }
   return QJsonDocument(state).toJson(QJsonDocument::Compact).toStdString();
 }
 
@@ -74,6 +93,7 @@ void readViewState(const std::string& text, MainWindow& window) {
     }
   }
   window.setMode(wanted);
+  readPictures(state["variantPictures"].toObject(), *window.variantsPage().pictures());
   window.lookAtFirst();
   const QJsonObject cameras = state["cameras"].toObject();
   for (const char* name : kPanes) {

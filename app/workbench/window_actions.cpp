@@ -14,6 +14,7 @@
 #include "app/workbench/main_window.h"
 #include "app/workbench/status_line.h"
 #include "app/workbench/tiles_page.h"
+#include "app/workbench/variant_pictures.h"
 #include "widgets/curve/fusion_curve_editor.h"
 #include "widgets/curve/fusion_curve_panel.h"
 #include "widgets/panels/adjustment_panel.h"
@@ -74,6 +75,7 @@ void MainWindow::connectViews() {
   const Actions& actions = *actions_;
   onTrigger(actions, "tilesMode", this, [this] { setMode(Mode::Tiles); });
   onTrigger(actions, "fusionMode", this, [this] { setMode(Mode::Fusion); });
+  onTrigger(actions, "variantsMode", this, [this] { setMode(Mode::Variants); });
   onTrigger(actions, "startPage", this, [this] { setMode(Mode::Start); });
 
   const auto look = [this](const char* name, AxisView view) {
@@ -235,14 +237,14 @@ void MainWindow::enableActions() {
   const bool current = fused && same(fusion_->shown()->inputs, fusion.inputs);
   enable("exportResult", current);
   enable("exportPicture", fused);
-  enable("cancel", runner_->busy() || jobs_->busy());
+  enable("cancel", runner_->busy() || jobs_->busy() || variants_->pictures()->missing() > 0);
   (*actions_)["paperPaths"]->setChecked(fusion.inputs.paths == PathMode::Paper);
   (*actions_)["largeTile"]->setChecked(fusion.inputs.tile.allowLargeTile);
   for (const char* name : {"nextColouring", "seam", "edges", "wireframe"}) {
     enable(name, mode() == Mode::Fusion);
   }
   for (const char* name : {"frame", "front", "back", "right", "left", "top", "bottom", "otherUp"}) {
-    enable(name, mode() != Mode::Start);
+    enable(name, currentViewport() != nullptr);
   }
   enable("link", mode() == Mode::Tiles);
 }

@@ -20,6 +20,7 @@
 #include "app/workbench/start_page.h"
 #include "app/workbench/status_line.h"
 #include "app/workbench/tiles_page.h"
+#include "app/workbench/variant_pictures.h"
 #include "app/workbench/view_state.h"
 #include "widgets/viewport/mesh_pane.h"
 #include "widgets/viewport/result_pane.h"
@@ -52,7 +53,11 @@ ProjectView MainWindow::projectView() {
             return bytes.toStdString();
           },
           [this] { return writeViewState(*this); },
-          [this](const std::string& state) { readViewState(state, *this); }};
+          [this](const std::string& state) { readViewState(state, *this); },
+          [this] { return variants_->pictures()->files(model_->document().variants); },
+          [this](const Document& document, std::map<VariantId, std::string> files) {
+            variants_->pictures()->restore(document.variants, std::move(files));
+          }};
 }
 
 void MainWindow::connectFiles() {

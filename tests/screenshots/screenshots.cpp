@@ -7,8 +7,10 @@
 #include <QScreen>
 #include <cstdio>
 
+#include "app/document/document_commands.h"
 #include "app/workbench/samples.h"
-#include "tests/support/workbench.h"
+#include "core/picture/fusion_view.h"
+#include "tests/support/gallery.h"
 #include "widgets/viewport/result_pane.h"
 
 using namespace graftsman;
@@ -72,6 +74,50 @@ void open(const Workbench& bench, const std::string& name) {
   }
 }
 
+// A dozen variants of a nose: as a designer leaves them after half an hour.
+void keepVariants(const Workbench& bench) {
+  DocumentModel& model = bench.window->model();
+  open(bench, "fig8b_cone_nose");
+  const auto keep = [&](const char* name, std::vector<FCFPoint> points, double falloff, bool starred) {
+    Fusion fusion = model.committed();
+    fusion.inputs.fcf = *FCF::through(std::move(points), true);
+    fusion.inputs.adjustment.falloff = falloff;
+    model.push(std::make_unique<AddVariant>(
+        model, FusionList{std::make_shared<const Fusion>(std::move(fusion))}, model.shown(), name));
+    if (starred) {
+      model.push(std::make_unique<StarVariants>(
+          model, std::set<VariantId>{model.document().variants.back()->id}, true));
+    }
+  };
+  // From near enough to see what differs.
+  const FusionResults& results = *bench.window->fusionPage().shown();
+  const Camera whole = bench.resultPane()->camera();
+  const PictureCamera near =
+      cameraFor(results, FusionView::Tile, {whole.position - whole.pivot, whole.axis}, 4.0 / 3);
+  bench.resultPane()->setCamera({near.position, near.pivot, near.up, whole.axis});
+
+  keep("Cone, pasted", {{0, 0}, {0.02, 0.9}, {0.08, 1}, {1, 1}}, 5, false);
+  keep("Soft foot", {{0, 0}, {0.2, 0.1}, {0.45, 0.9}, {1, 1}}, 5, true);
+  keep("Half cone", {{0, 0}, {0.1, 0.45}, {0.5, 0.5}, {1, 0.5}}, 5, false);
+  keep("As it was", {{0, 0}, {0.3, 0}, {0.6, 0}, {1, 0}}, 5, false);
+  keep("Broad base", {{0, 0}, {0.04, 0.9}, {0.35, 0.95}, {1, 0.3}}, 5, true);
+  keep("Button", {{0, 0}, {0.15, 0.1}, {0.3, 1}, {1, 0.6}}, 5, false);
+  keep("Only the tip", {{0, 0}, {0.45, 0}, {0.6, 0.9}, {1, 1}}, 5, false);
+  keep("Needle", {{0, 0}, {0.6, 0.05}, {0.8, 0.5}, {1, 1}}, 5, false);
+  keep("Clown", {{0, 0}, {0.12, 0.9}, {0.4, 1}, {1, 0.75}}, 5, true);
+  keep("Crater", {{0, 0}, {0.1, 0.8}, {0.3, 0.9}, {1, 0}}, 5, false);
+  keep("Even", {{0, 0}, {0.3, 0.3}, {0.6, 0.6}, {1, 1}}, 5, false);
+  keep("Two steps", {{0, 0}, {0.1, 0.6}, {0.4, 0.55}, {1, 1}}, 5, false);
+  model.push(std::make_unique<NoteVariant>(model, 5, "Closest to the sketch: ask for a wider loop"));
+  model.push(std::make_unique<ApplyVariant>(model, 2));
+  bench.window->setMode(MainWindow::Mode::Variants);
+  QCursor::setPos(bench.window->mapToGlobal(QPoint(1200, 700)));
+  bench.window->variantsPage().gallery()->select({5});
+  if (!bench.settle() || !GalleryHands{bench}.drawn()) {
+    qFatal("the variants have no pictures");
+  }
+}
+
 void takeForReadme(Workbench& bench, Photographer& photographer, const QString& prefix) {
   bench.window->setMode(MainWindow::Mode::Start);
   photographer.take(prefix + "start");
@@ -81,6 +127,8 @@ void takeForReadme(Workbench& bench, Photographer& photographer, const QString& 
   open(bench, "fig8b_cone_nose");
   bench.window->setMode(MainWindow::Mode::Fusion);
   photographer.take(prefix + "fusion");
+  keepVariants(bench);
+  photographer.take(prefix + "variants");
 }
 
 // The start page's pictures of the samples' results.
