@@ -81,7 +81,7 @@ Result<LoadedScenario> read(const std::filesystem::path& input) {
   if (!endsIn(input, ".graft")) {
     return readScenario(input, progress);
   }
-  const Result<LoadedProject> loaded = readProject(input, progress);
+  const Result<LoadedProject> loaded = readProject(input, progress, Wanted::Results);
   if (!loaded) {
     return fail(loaded.error());
   }
