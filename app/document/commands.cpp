@@ -109,6 +109,19 @@ EditCommand::EditCommand(DocumentModel& model, Document after, FusionId shown, c
       shownBefore_(model.shown()),
       shownAfter_(shown) {}
 
+EditCommand::EditCommand(DocumentModel& model, Document before, Document after, const HistoryStep& step)
+    : QUndoCommand(QString::fromStdString(step.text)),
+      model_(model),
+      before_(std::move(before)),
+      after_(std::move(after)),
+      shownBefore_(step.shownBefore),
+      shownAfter_(step.shownAfter),
+      touched_{step.cv, step.curvePoint} {}
+
+HistoryStep EditCommand::step() const {
+  return {text().toStdString(), shownBefore_, shownAfter_, touched_.cv, touched_.curvePoint};
+}
+
 void EditCommand::undo() {
   model_.apply(before_, shownBefore_, Change::History, stillThere(touched_, after_, before_, shownBefore_));
 }
@@ -118,6 +131,9 @@ void EditCommand::redo() {
                stillThere(touched_, before_, after_, shownAfter_));
   done_ = true;
 }
+
+RestoredEdit::RestoredEdit(DocumentModel& model, Document before, Document after, const HistoryStep& step)
+    : EditCommand(model, std::move(before), std::move(after), step) {}
 
 AddCVP::AddCVP(DocumentModel& model, Fusion after, int number)
     : EditCommand(model, std::move(after), tr("Add pair %1").arg(number), cv(number)) {}

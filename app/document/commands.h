@@ -20,11 +20,17 @@ class EditCommand : public QUndoCommand {
   [[nodiscard]] FusionId showsBefore() const { return shownBefore_; }
   [[nodiscard]] FusionId showsAfter() const { return shownAfter_; }
 
+  [[nodiscard]] const Document& before() const { return before_; }
+  [[nodiscard]] const Document& after() const { return after_; }
+  [[nodiscard]] HistoryStep step() const;
+
  protected:
   /// Of the fusion that is shown.
   EditCommand(DocumentModel& model, Fusion after, const QString& text, Touched touched = {});
   /// Of the whole document; fusion `shown` is shown after it, and after its undo the one that is shown now.
   EditCommand(DocumentModel& model, Document after, FusionId shown, const QString& text);
+  /// Of a history that was kept.
+  EditCommand(DocumentModel& model, Document before, Document after, const HistoryStep& step);
 
  private:
   DocumentModel& model_;
@@ -34,6 +40,12 @@ class EditCommand : public QUndoCommand {
   FusionId shownAfter_;
   Touched touched_;
   bool done_ = false;  // once: from now on, redo() is a redo
+};
+
+/// An edit of a project that was closed since.
+class RestoredEdit : public EditCommand {
+ public:
+  RestoredEdit(DocumentModel& model, Document before, Document after, const HistoryStep& step);
 };
 
 // Loop. Numbers are those that the window shows, from 0.

@@ -39,13 +39,52 @@ void DocumentModel::show(FusionId id) {
   }
 }
 
-void DocumentModel::reset(Document document, FusionId shown) {
+void DocumentModel::reset(Document document, FusionId shown, const History& past) {
   dragged_.reset();
-  history_.clear();
   assets_.clear();
   take(document, shown);
+  refill(past);
   Q_EMIT changed(Change::Reset, {});
   Q_EMIT documentChanged();
+}
+
+History DocumentModel::historyValue() const {
+  History value;
+  value.index = history_.index();
+  for (int i = 0; i < history_.count(); ++i) {
+    // push() and refill() let nothing else in.
+    const auto& edit = static_cast<const EditCommand&>(*history_.command(i));
+    value.steps.push_back(edit.step());
+    value.states.push_back(edit.before());
+    if (i + 1 == history_.count()) {
+      value.states.push_back(edit.after());
+    }
+  }
+  return value;
+}
+
+void DocumentModel::forgetHistory() {
+  refill({});
+}
+
+// What listens is told once, not of each step.
+void DocumentModel::refill(const History& past) {
+  refilling_ = true;
+  history_.blockSignals(true);
+  history_.clear();
+  for (std::size_t i = 0; i < past.steps.size(); ++i) {
+    history_.push(new RestoredEdit(*this, past.states[i], past.states[i + 1], past.steps[i]));
+  }
+  history_.setIndex(past.index);
+  history_.setClean();
+  history_.blockSignals(false);
+  refilling_ = false;
+  Q_EMIT history_.indexChanged(history_.index());
+  Q_EMIT history_.cleanChanged(history_.isClean());
+  Q_EMIT history_.canUndoChanged(history_.canUndo());
+  Q_EMIT history_.canRedoChanged(history_.canRedo());
+  Q_EMIT history_.undoTextChanged(history_.undoText());
+  Q_EMIT history_.redoTextChanged(history_.redoText());
 }
 
 void DocumentModel::reset(const Fusion& fusion) {
@@ -71,6 +110,9 @@ void DocumentModel::setResultAssets(const ResultAssets& assets) {
 }
 
 void DocumentModel::apply(const Document& document, FusionId shown, Change change, const Touched& touched) {
+  if (refilling_) {
+    return;
+  }
   dragged_.reset();
   const bool another = shown != fusion_.id;
   take(document, shown);

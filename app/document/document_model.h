@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/project/evaluate.h"
+#include "core/project/history.h"
 
 namespace graftsman {
 
@@ -50,6 +51,10 @@ class DocumentModel : public QObject {
   [[nodiscard]] FusionId shown() const { return fusion_.id; }
   [[nodiscard]] bool dragging() const { return dragged_.has_value(); }
   [[nodiscard]] QUndoStack* history() { return &history_; }
+  /// The undo history as a value, as projects keep it.
+  [[nodiscard]] History historyValue() const;
+  /// Forgets every step; the document stays. Whether it is clean is for the caller to say.
+  void forgetHistory();
 
   /// Makes the edit; takes it. An edit that changes nothing leaves no step.
   void push(std::unique_ptr<EditCommand> command);
@@ -57,8 +62,9 @@ class DocumentModel : public QObject {
   void cancelDrag();
   /// Shows another fusion of the document; no step of history. Without one of that id: nothing.
   void show(FusionId id);
-  /// Shows another document, with an empty history. `shown`: one of its fusions.
-  void reset(Document document, FusionId shown);
+  /// Shows another document, clean, with a history of which it is the present state. `shown`: one of its
+  /// fusions.
+  void reset(Document document, FusionId shown, const History& past = {});
   /// A document of one fusion.
   void reset(const Fusion& fusion);
   /// The meshes of results as they were computed last. The shown fusion takes those that it is made of.
@@ -74,12 +80,14 @@ class DocumentModel : public QObject {
   friend class EditCommand;
   void apply(const Document& document, FusionId shown, Change change, const Touched& touched);
   void take(const Document& document, FusionId shown);
+  void refill(const History& past);
 
   Document document_;
   Fusion fusion_;  // of document_, resolved
   std::optional<Fusion> dragged_;
   ResultAssets assets_;
   QUndoStack history_;
+  bool refilling_ = false;  // the history is filled with what was done before: nothing changes
 };
 
 }  // namespace graftsman

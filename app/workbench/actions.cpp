@@ -46,6 +46,8 @@ constexpr Entry kEntries[] = {
 
     {"editMenu", "undo", TEXT("&Undo"), "undo", "Ctrl+Z", TEXT("Undo the last edit")},
     {"editMenu", "redo", TEXT("&Redo"), "redo", "Ctrl+Shift+Z", TEXT("Do what was undone again")},
+    {"editMenu", "clearHistory", TEXT("Clear the &history"), "", "",
+     TEXT("Forget every step of undo and redo; the document stays as it is")},
     {"editMenu", ""},
     {"editMenu", "removePairs", TEXT("Re&move pairs"), "delete", "Del", TEXT("Remove the selected pairs")},
     {"editMenu", "selectAll", TEXT("Select &all pairs"), "", "Ctrl+A", TEXT("Select every pair")},

@@ -79,8 +79,9 @@ void ProjectFiles::show(Project project, const QString& path, const QString& nam
   path_ = path;
   name_ = name;
   remains_ = std::move(project.remains);
+  historySaved_ = !project.history.steps.empty();
   view_.restorePictures(project.document, std::move(project.variantPictures));
-  model_.reset(std::move(project.document), project.shown);
+  model_.reset(std::move(project.document), project.shown, project.history);
   if (unsaved) {
     model_.history()->resetClean();
   }
@@ -133,21 +134,34 @@ void ProjectFiles::recover(const QString& recoveryPath, const QString& originalP
 }
 
 Project ProjectFiles::snapshot() const {
-  return {model_.document(), model_.shown(), view_.thumbnail(), view_.pictures(), view_.state(), remains_};
+  return {model_.document(), model_.shown(), view_.thumbnail(),    view_.pictures(),
+          view_.state(),     remains_,       model_.historyValue()};
+}
+
+void ProjectFiles::forgetHistory() {
+  const bool stays = model_.history()->isClean() && !historySaved_;
+  const int steps = model_.history()->count();
+  model_.forgetHistory();
+  if (!stays) {
+    model_.history()->resetClean();
+  }
+  Q_EMIT told(tr("%n step(s) of history forgotten.", nullptr, steps));
 }
 
 void ProjectFiles::save(const QString& path, std::function<void()> then) {
   const int savedIndex = model_.history()->index();
+  const bool withHistory = model_.history()->count() > 0;
   jobs_.start<Result<void>>(
       tr("Saving %1").arg(fileName(path)),
       [path, project = snapshot()](const Progress&) { return writeProject(toPath(path), project, {}); },
-      [this, path, savedIndex, then = std::move(then)](const Result<void>& written) {
+      [this, path, savedIndex, withHistory, then = std::move(then)](const Result<void>& written) {
         if (!written) {
           Q_EMIT failed(QString::fromStdString(written.error().message));
           return;
         }
         path_ = path;
         name_ = QFileInfo(path).completeBaseName();
+        historySaved_ = withHistory;
         // An edit made while the file was written is not in it.
         if (model_.history()->index() == savedIndex) {
           model_.history()->setClean();

@@ -48,6 +48,9 @@ class ProjectFiles : public QObject {
   /// Writes the result as OBJ, PLY, STL, OFF, or GLB.
   void exportResult(const QString& path, std::shared_ptr<const FusionResults> results);
 
+  /// Forgets every step of undo. The document stays; it is unsaved if its file has a history.
+  void forgetHistory();
+
   /// The project as it would be saved now, without a drag under way.
   [[nodiscard]] Project snapshot() const;
 
@@ -72,6 +75,7 @@ class ProjectFiles : public QObject {
   QString path_;
   QString name_;
   std::shared_ptr<const ProjectRemains> remains_;
+  bool historySaved_ = false;  // the file has steps of history
 };
 
 }  // namespace graftsman

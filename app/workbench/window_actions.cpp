@@ -58,6 +58,7 @@ void MainWindow::connectActions() {
     model_->history()->redo();
     status_->tell(tr("Done again: %1").arg(model_->history()->undoText()));
   });
+  onTrigger(actions, "clearHistory", this, [this] { files_->forgetHistory(); });
   for (auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged}) {
     connect(model_->history(), signal, this, &MainWindow::showUndoTexts);
   }
@@ -222,6 +223,7 @@ void MainWindow::enableActions() {
   const auto enable = [this](const char* name, bool on) { (*actions_)[name]->setEnabled(on); };
   enable("undo", model_->history()->canUndo() || model_->dragging());
   enable("redo", model_->history()->canRedo());
+  enable("clearHistory", model_->history()->count() > 0);
   enable("removePairs", !editor_->selection().isEmpty());
   enable("selectAll", pairs > 0);
   enable("repeat", lastTool_ != nullptr);

@@ -26,6 +26,8 @@ class DocumentReader {
   /// At least one, where the list is not empty. Precondition: `list` is an array, not empty.
   [[nodiscard]] FusionList fusions(const json& list, const Progress& progress) const;
   [[nodiscard]] VariantList variants(const json& list) const;
+  /// One fusion, without its number; its results have no names yet.
+  [[nodiscard]] Fusion fusion(const json& object, const Progress& progress) const;
 
   /// The fusion that the object says is shown, or else the first. Precondition: fusions not empty.
   [[nodiscard]] static FusionId shown(const json& object, const FusionList& fusions);
@@ -35,7 +37,6 @@ class DocumentReader {
   [[nodiscard]] static std::string textOr(const json& object, const char* key, const std::string& fallback);
 
  private:
-  [[nodiscard]] Fusion fusion(const json& object, const Progress& progress) const;
   void readInputs(const json& object, Fusion& read) const;
   void dropUnknownPoints(Fusion& fusion) const;
   void checkResults(FusionList& fusions) const;

@@ -9,7 +9,7 @@
 #include "core/io/fusion_json.h"
 #include "core/io/printable.h"
 #include "core/io/read_file.h"
-#include "core/project/document_read.h"
+#include "core/project/history_file.h"
 #include "core/project/project_mesh.h"
 #include "core/project/project_parse.h"
 #include "core/project/project_remains.h"
@@ -59,8 +59,8 @@ std::string needed(const json& document) {
 
 class ProjectReader {
  public:
-  ProjectReader(ZipReader zip, std::string name, const Progress& progress)
-      : zip_(std::move(zip)), name_(std::move(name)), progress_(progress) {}
+  ProjectReader(ZipReader zip, std::string name, Wanted wanted, const Progress& progress)
+      : zip_(std::move(zip)), name_(std::move(name)), wanted_(wanted), progress_(progress) {}
 
   Result<LoadedProject> read() {
     const ZipEntry* entry = zip_.find(project_keys::kDocumentEntry);
@@ -85,8 +85,11 @@ class ProjectReader {
       }
       version(document, "format_version");
       readDocument(document);
-      readRest();
-      keepRemains(std::move(document));
+      if (wanted_ == Wanted::Everything) {
+        readHistory(list(document, "meshes"));
+        readRest();
+        keepRemains(std::move(document));
+      }
     } catch (const Malformed& wrong) {
       return malformedFile("cannot be understood: in its document.json " + wrong.what);
     }
@@ -115,13 +118,14 @@ class ProjectReader {
     if (fusions.empty()) {
       return;
     }
+    const DocumentReader::Lose loseOf = [this](Error error, bool ofResult) {
+      ofResult ? loseOfFusion(std::move(error)) : lose(std::move(error));
+    };
     const DocumentReader reader(
         [&](Side side, const json& fusion, const Progress& progress) {
-          return asset(side, fusion, meshes, progress);
+          return asset(side, fusion, meshes, loseOf, progress);
         },
-        [this](Error error, bool ofResult) {
-          ofResult ? loseOfFusion(std::move(error)) : lose(std::move(error));
-        });
+        loseOf);
     Document& read = loaded_.project.document;
     read.fusions = reader.fusions(fusions, progress_.span(0, kMeshesShare));
     loaded_.project.shown = DocumentReader::shown(document, read.fusions);
@@ -132,7 +136,7 @@ class ProjectReader {
 
   // The mesh that the fusion names for this side; null if it names none, or none that can be read.
   std::shared_ptr<const MeshAsset> asset(Side side, const json& fusion, const json& meshes,
-                                         const Progress& progress) {
+                                         const DocumentReader::Lose& loseOf, const Progress& progress) {
     const json* reference = find(fusion, name(side));
     if (reference == nullptr || reference->is_null()) {
       return nullptr;
@@ -164,10 +168,11 @@ class ProjectReader {
       assets_[id] = read;
       return read;
     } catch (const Malformed& wrong) {
-      loseOfFusion({ErrorCode::FileMalformed,
-                    std::string("The ") + name(side) + "'s " + lost + " is damaged and was left out: " +
-                        wrong.what + (wrong.what.ends_with(".") ? " " : ". ") + remedy + ".",
-                    side});
+      loseOf({ErrorCode::FileMalformed,
+              std::string("The ") + name(side) + "'s " + lost + " is damaged and was left out: " +
+                  wrong.what + (wrong.what.ends_with(".") ? " " : ". ") + remedy + ".",
+              side},
+             true);
     }
     return nullptr;
   }
@@ -224,6 +229,64 @@ class ProjectReader {
       throw wrong("it is not the mesh that the project was saved with");
     }
     return mesh;
+  }
+
+  // The history that undo and redo go through. Damage costs all of it and nothing else.
+  void readHistory(const json& meshes) {
+    const ZipEntry* entry = zip_.find(project_keys::kHistoryEntry);
+    try {
+      if (entry == nullptr) {
+        dropHistoryMeshes(meshes);
+        return;
+      }
+      if (entry->size > history_bounds::kMostBytes) {
+        throw Malformed{ErrorCode::FileMalformed, "it is larger than this program keeps"};
+      }
+      const Result<std::string> content = zip_.content(*entry, {});
+      if (!content) {
+        throw Malformed{ErrorCode::FileMalformed, content.error().message};
+      }
+      json text = parse(*content);
+      if (HistoryFile::isNewer(text)) {
+        return;  // goes along as it is
+      }
+      consumed_.insert(project_keys::kHistoryEntry);
+      const DocumentReader reader(
+          [&](Side side, const json& fusion, const Progress& progress) {
+            return asset(
+                side, fusion, meshes,
+                [](const Error&, bool) {
+                  throw Malformed{ErrorCode::FileMalformed, "a mesh that it needs is damaged or missing"};
+                },
+                progress);
+          },
+          [](const Error&, bool) {
+            throw Malformed{ErrorCode::FileMalformed, "a fusion in it cannot be understood"};
+          });
+      loaded_.project.history = HistoryFile::read(text, loaded_.project.document, reader);
+      remains_->history = HistoryFile::others(std::move(text));
+    } catch (const Malformed& wrong) {
+      lose({ErrorCode::FileMalformed, "The undo history (history.json) was left out: " + wrong.what +
+                                          (wrong.what.ends_with(".") ? "" : ".") +
+                                          " The document is not concerned; nothing needs to be done."});
+    }
+    consumed_.insert(project_keys::kHistoryEntry);
+    dropHistoryMeshes(meshes);
+  }
+
+  // Meshes that only the history needed are not kept beyond it.
+  void dropHistoryMeshes(const json& meshes) {
+    for (const json& record : meshes) {
+      const json* only = record.is_object() ? find(record, project_keys::kHistoryOnly) : nullptr;
+      const json* id = only != nullptr && *only == true ? find(record, "id") : nullptr;
+      if (id != nullptr && id->is_number_unsigned() &&
+          *id <= static_cast<std::uint64_t>(std::numeric_limits<Index>::max())) {
+        usedIds_.insert(id->get<Index>());
+        if (const std::string entry = DocumentReader::textOr(record, "entry", ""); !entry.empty()) {
+          consumed_.insert(entry);
+        }
+      }
+    }
   }
 
   // The picture and the state of the interface.
@@ -287,6 +350,7 @@ class ProjectReader {
 
   ZipReader zip_;
   std::string name_;
+  Wanted wanted_;
   Progress progress_;
   LoadedProject loaded_;
   std::shared_ptr<ProjectRemains> remains_ = std::make_shared<ProjectRemains>();
@@ -299,7 +363,7 @@ class ProjectReader {
 }  // namespace
 
 Result<LoadedProject> parseProject(std::span<const char> bytes, const std::filesystem::path& path,
-                                   const Progress& progress) {
+                                   const Progress& progress, Wanted wanted) {
   const std::string name = printable(path.string(), kLongestPathShown);
   try {
     Result<ZipReader> zip = ZipReader::open(bytes);
@@ -307,18 +371,19 @@ Result<LoadedProject> parseProject(std::span<const char> bytes, const std::files
       return fail(ErrorCode::FileMalformed,
                   name + ": is no Graftsman project, or its end is missing (" + zip.error().message + ").");
     }
-    return ProjectReader(std::move(*zip), name, progress).read();
+    return ProjectReader(std::move(*zip), name, wanted, progress).read();
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::OutOfMemory, name + ": not enough memory to open the project.");
   }
 }
 
-Result<LoadedProject> readProject(const std::filesystem::path& path, const Progress& progress) {
+Result<LoadedProject> readProject(const std::filesystem::path& path, const Progress& progress,
+                                  Wanted wanted) {
   const Result<FileBytes> file = readFile(path, progress.span(0, kFileShare));
   if (!file) {
     return fail(file.error());
   }
-  return parseProject(file->bytes(), path, progress.span(kFileShare, 1));
+  return parseProject(file->bytes(), path, progress.span(kFileShare, 1), wanted);
 }
 
 }  // namespace graftsman

@@ -16,6 +16,9 @@ inline constexpr const char* kMimetype = "application/x-graftsman";
 inline constexpr const char* kDocumentEntry = "document.json";
 inline constexpr const char* kThumbnailEntry = "thumbnail.png";
 inline constexpr const char* kViewEntry = "view.json";
+inline constexpr const char* kHistoryEntry = "history.json";
+/// Of a mesh's record, whether the history alone needs it.
+inline constexpr const char* kHistoryOnly = "history_only";
 /// A fusion's part or base is another one's result. Required of a reader where it occurs.
 inline constexpr const char* kResultsFeature = "results-as-meshes";
 
@@ -43,10 +46,11 @@ struct ProjectRemains {
     nlohmann::json record;
   };
 
-  nlohmann::json document;                  // the whole of it, without its meshes
-  std::vector<Known> known;                 // the meshes that were read
-  std::vector<nlohmann::json> otherMeshes;  // records of meshes that the fusion does not use
-  std::vector<Entry> entries;               // what no record that was read names
+  nlohmann::json document;                            // the whole of it, without its meshes
+  std::vector<Known> known;                           // the meshes that were read
+  std::vector<nlohmann::json> otherMeshes;            // records of meshes that the fusion does not use
+  std::vector<Entry> entries;                         // what no record that was read names
+  nlohmann::json history = nlohmann::json::object();  // what history.json has besides the history
 };
 
 }  // namespace graftsman

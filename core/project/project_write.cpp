@@ -7,6 +7,7 @@
 
 #include "core/io/fusion_json.h"
 #include "core/io/printable.h"
+#include "core/project/history_file.h"
 #include "core/project/project_mesh.h"
 #include "core/project/project_remains.h"
 #include "core/project/zip_writer.h"
@@ -88,7 +89,14 @@ class ProjectWriter {
     if (!project_.viewState.empty()) {
       added = added ? add(project_keys::kViewEntry, project_.viewState, Packing::Deflated) : added;
     }
+    if (!history_.empty()) {
+      added = added ? add(project_keys::kHistoryEntry, history_, Packing::Deflated) : added;
+    }
     for (const ProjectRemains::Entry& entry : remains_.entries) {
+      // A history of a newer program gives way to one of this program.
+      if (!history_.empty() && entry.name == project_keys::kHistoryEntry) {
+        continue;
+      }
       added =
           added ? add(entry.name, entry.bytes, entry.stored ? Packing::Stored : Packing::Deflated) : added;
     }
@@ -127,6 +135,10 @@ class ProjectWriter {
     for (const auto& variant : document.variants) {
       variants.push_back(variantOf(*variant, meshes));
     }
+    forHistory_ = true;
+    history_ = HistoryFile::write(
+        project_.history, document, remains_.history, [](const Fusion& fusion) { return fusionOf(fusion); },
+        [&](const std::shared_ptr<const MeshAsset>& asset) { return sourceOf(asset, meshes); });
     for (const json& record : remains_.otherMeshes) {
       meshes.push_back(record);
     }
@@ -244,6 +256,7 @@ class ProjectWriter {
                    {"entry", stored.name},
                    {"vertices", asset->mesh->vertexCount()},
                    {"faces", asset->mesh->faceCount()},
+                   {project_keys::kHistoryOnly, forHistory_},
                    {"crc32", stored.entry.crc32()}};
     if (known != remains_.known.end()) {
       carry(record, known->record);
@@ -275,6 +288,8 @@ class ProjectWriter {
   std::set<std::uint64_t> usedIds_;                    // of meshes
   std::map<const MeshAsset*, std::uint64_t> numbers_;  // of meshes that are written
   bool usesResults_ = false;
+  bool forHistory_ = false;  // what gets a number now only the history needs
+  std::string history_;      // history.json
   std::list<MeshOfFile> entries_;
 };
 

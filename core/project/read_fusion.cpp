@@ -66,7 +66,7 @@ Result<LoadedScenario> readFusion(const std::filesystem::path& path, const Progr
       return naming(path, std::move(error));
     });
   }
-  const Result<LoadedProject> loaded = readProject(path, progress.span(0, 0.5));
+  const Result<LoadedProject> loaded = readProject(path, progress.span(0, 0.5), Wanted::Results);
   if (!loaded) {
     return fail(naming(path, loaded.error()));
   }

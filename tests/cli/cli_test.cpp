@@ -369,6 +369,26 @@ class CliTest : public QObject {
     QCOMPARE(outcome.err, QByteArray());
   }
 
+  void aHistoryIsNoHindrance() {
+    const QTemporaryDir dir;
+    Project project = projectOf("fig4a_cone_sphere");
+    save(dir.filePath("plain.graft"), project);
+    Fusion before = *project.document.fusions.front();
+    before.inputs.fcf = FCF::preset(FCF::Preset::Half);
+    project.history.steps.push_back({"Curve: Linear", 1, 1, {}, {}});
+    project.history.states = {{{std::make_shared<const Fusion>(before)}, {}}, project.document};
+    project.history.index = 1;
+    save(dir.filePath("p.graft"), project);
+    QVERIFY(QFileInfo(dir.filePath("p.graft")).size() > QFileInfo(dir.filePath("plain.graft")).size());
+    for (const char* name : {"plain", "p"}) {
+      const QString stem = dir.filePath(name);
+      const Outcome outcome = runCli({"fuse", stem + ".graft", "-o", stem + ".obj"});
+      QCOMPARE(outcome.exitCode, 0);
+      QCOMPARE(outcome.err, QByteArray());
+    }
+    QCOMPARE(contentOf(dir.filePath("p.obj")), contentOf(dir.filePath("plain.obj")));
+  }
+
   void neitherAProjectNorItsModelsAreOverwritten() {
     const QTemporaryDir dir;
     const QString file = dir.filePath("p.graft");

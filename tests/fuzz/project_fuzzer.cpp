@@ -37,13 +37,25 @@ FileBytes save(const Project& project) {
   return takeScratch();
 }
 
-// Since no mutation hits a zip's checksums, bytes that are no zip are put into one: document.json, and after
-// a zero byte a mesh.
-FileBytes zipOf(std::string_view data) {
+// Takes what stands before the next zero byte, and the byte.
+std::string_view takeUpToZero(std::string_view& data) {
   const std::size_t zero = std::min(data.find('\0'), data.size());
-  const std::string_view mesh = data.substr(std::min(zero + 1, data.size()));
+  const std::string_view taken = data.substr(0, zero);
+  data.remove_prefix(std::min(zero + 1, data.size()));
+  return taken;
+}
+
+// Since no mutation hits a zip's checksums, bytes that are no zip are put into one: document.json, after a
+// zero byte history.json (empty: none), after another one a mesh.
+FileBytes zipOf(std::string_view data) {
+  const std::string_view document = takeUpToZero(data);
+  const std::string_view history = takeUpToZero(data);
+  const std::string_view mesh = data;
   ZipWriter zip;
-  require(zip.add("document.json", {data.substr(0, zero)}, ZipWriter::Packing::Stored).has_value());
+  require(zip.add("document.json", {document}, ZipWriter::Packing::Stored).has_value());
+  if (!history.empty()) {
+    require(zip.add("history.json", {history}, ZipWriter::Packing::Stored).has_value());
+  }
   require(zip.add("meshes/1.mesh", {mesh}, ZipWriter::Packing::Stored).has_value());
   require(zip.write(scratch(), {}).has_value());
   return takeScratch();
