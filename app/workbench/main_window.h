@@ -17,6 +17,7 @@ class Actions;
 class AdjustmentPanel;
 class Autosave;
 class FusionCurvePanel;
+class FusionOutline;
 class FusionPage;
 class JobQueue;
 class LoopEditor;
@@ -87,6 +88,7 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectViews();
   void connectTools();
+  void connectFusions();
   void enableActions();
   void showUndoTexts();
 
@@ -122,6 +124,7 @@ class MainWindow : public QMainWindow {
   FusionCurvePanel* curve_;
   AdjustmentPanel* adjustment_;
   StagesPanel* stages_;
+  FusionOutline* outline_;
   StatusLine* status_;
   QDockWidget* pairsDock_ = nullptr;
   QDockWidget* curveDock_ = nullptr;
