@@ -145,6 +145,9 @@ MoveCVP::MoveCVP(DocumentModel& model, Fusion after, int number, Side side)
     : EditCommand(model, std::move(after), tr("Move CV %1 on the %2").arg(number).arg(label(side)),
                   cv(number, side)) {}
 
+KeepPlaces::KeepPlaces(DocumentModel& model, Fusion after, int first, Side side)
+    : EditCommand(model, std::move(after), tr("Leave the moved CVs on the %1").arg(label(side)), cv(first)) {}
+
 RemoveCVP::RemoveCVP(DocumentModel& model, Fusion after, int first, int count)
     : EditCommand(model, std::move(after),
                   count == 1 ? tr("Remove pair %1").arg(first) : tr("Remove %1 pairs").arg(count),

@@ -62,6 +62,12 @@ class MoveCVP : public EditCommand {
   MoveCVP(DocumentModel& model, Fusion after, int number, Side side);
 };
 
+/// The CVs on a result that changed stay where they were found again: those are their places now.
+class KeepPlaces : public EditCommand {
+ public:
+  KeepPlaces(DocumentModel& model, Fusion after, int first, Side side);
+};
+
 class RemoveCVP : public EditCommand {
  public:
   /// `count` pairs, of which `first` is the first.

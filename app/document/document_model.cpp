@@ -91,7 +91,7 @@ void DocumentModel::reset(const Fusion& fusion) {
   reset({{std::make_shared<const Fusion>(fusion)}, {}}, fusion.id);
 }
 
-void DocumentModel::setResultAssets(const ResultAssets& assets) {
+void DocumentModel::setResultAssets(const ResultAssets& assets, const Fusion& computed) {
   bool concerned = false;
   for (const auto& [id, asset] : assets) {
     auto& known = assets_[id];
@@ -101,7 +101,8 @@ void DocumentModel::setResultAssets(const ResultAssets& assets) {
     }
   }
   if (concerned) {
-    fusion_ = resolve(std::move(fusion_), assets_);
+    // Its CVs were found again already: not twice, and not in the GUI thread.
+    fusion_ = resolve(computed == fusion_ ? computed : std::move(fusion_), assets_);
     if (dragged_) {
       dragged_ = resolve(std::move(*dragged_), assets_);
     }

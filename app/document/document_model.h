@@ -67,8 +67,9 @@ class DocumentModel : public QObject {
   void reset(Document document, FusionId shown, const History& past = {});
   /// A document of one fusion.
   void reset(const Fusion& fusion);
-  /// The meshes of results as they were computed last. The shown fusion takes those that it is made of.
-  void setResultAssets(const ResultAssets& assets);
+  /// The meshes of results as they were computed last, and the fusion that they were computed for, resolved.
+  /// The shown fusion takes those that it is made of.
+  void setResultAssets(const ResultAssets& assets, const Fusion& computed);
 
  Q_SIGNALS:
   /// After each change of fusion().

@@ -5,6 +5,7 @@
 #include "app/document/commands.h"
 #include "app/document/document_model.h"
 #include "core/fusion/path_position.h"
+#include "core/mesh/attach.h"
 #include "core/project/edits.h"
 
 namespace graftsman {
@@ -42,10 +43,18 @@ Side other(Side side) {
 
 LoopEditor::LoopEditor(DocumentModel& model, QObject* parent) : QObject(parent), model_(model) {
   connect(&model, &DocumentModel::changed, this, [this](Change change) {
-    if (change != Change::Drag) {
-      drag_.reset();
-      forgetWhatIsGone();
+    if (change == Change::Drag) {
+      return;
     }
+    if (change == Change::Shown || change == Change::Reset) {
+      setHalfPair({});
+      select({});
+    }
+    // An upstream result may be computed during a drag; where it is on that very mesh, the pane ends it.
+    if (change != Change::Upstream) {
+      drag_.reset();
+    }
+    forgetWhatIsGone();
   });
 }
 
@@ -172,6 +181,26 @@ void LoopEditor::cancelDrag() {
   model_.cancelDrag();
 }
 
+void LoopEditor::keepPlaces(Side side) {
+  Result<Fusion> after = model_.committed();
+  int first = -1;
+  for (const Error& moved : movedCVs(*after)) {
+    for (const int number : moved.side == side ? moved.cvs : std::vector<int>()) {
+      const auto at = static_cast<std::size_t>(number);
+      const CVP pair = after->inputs.loop[at];
+      after = edits::moveCV(std::move(*after), at, side, side == Side::Part ? pair.part : pair.base);
+      if (!after) {
+        Q_EMIT refused(after.error());
+        return;
+      }
+      first = first < 0 ? number : first;
+    }
+  }
+  if (first >= 0) {
+    model_.push(std::make_unique<KeepPlaces>(model_, std::move(*after), first, side));
+  }
+}
+
 void LoopEditor::remove(const QSet<int>& pairs) {
   std::set<int> numbers;
   for (const int number : pairs) {
@@ -238,6 +267,8 @@ bool LoopEditor::backOut() {
 void LoopEditor::setHalfPair(std::optional<HalfPair> half) {
   if (half_ || half) {
     half_ = std::move(half);
+    const FusionInputs& inputs = model_.committed().inputs;
+    halfMesh_ = !half_ ? nullptr : half_->side == Side::Part ? inputs.part : inputs.base;
     Q_EMIT halfPairChanged();
   }
 }
@@ -248,9 +279,16 @@ void LoopEditor::forgetWhatIsGone() {
   const auto count = static_cast<int>(fusion.inputs.loop.size());
   if (half_) {
     const auto& mesh = half_->side == Side::Part ? fusion.inputs.part : fusion.inputs.base;
-    const bool there = mesh && half_->at.vertex < mesh->vertexCount() && half_->at.face < mesh->faceCount();
+    const bool there = mesh == halfMesh_ || (mesh && fusion.upstream(half_->side) != 0);
     if (!there || fusion.closed) {
       setHalfPair({});
+    } else if (mesh != halfMesh_) {
+      // As a CV of a whole pair: found again on the result that was computed anew.
+      HalfPair again = *half_;
+      again.at.place = positionOf(*halfMesh_, again.at);
+      again.at = attach(*mesh, again.at);
+      again.at.place.reset();
+      setHalfPair(std::move(again));
     }
   }
   QSet<int> kept;

@@ -48,6 +48,8 @@ class LoopEditor : public QObject {
   void dragTo(Side side, int number, const SurfacePoint& to);
   void finishDrag();
   void cancelDrag();
+  /// Takes the CVs that moved with the result that they are on (movedCVs()) to be where they are now.
+  void keepPlaces(Side side);
 
   void remove(const QSet<int>& pairs);
   void close();
@@ -85,6 +87,7 @@ class LoopEditor : public QObject {
 
   DocumentModel& model_;
   std::optional<HalfPair> half_;
+  std::shared_ptr<const TriangleMesh> halfMesh_;  // that it was picked on
   std::optional<Drag> drag_;
   std::optional<BeforePick> beforePick_;
   QSet<int> selection_;

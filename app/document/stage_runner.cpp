@@ -122,7 +122,7 @@ Outcome StageRunner::run(const Request& request) {
   Outcome outcome{std::move(evaluation.fusion), std::move(evaluation.assets), {}, {}, {}, false};
   const Fusion& fusion = outcome.fusion;
   const FusionInputs& inputs = fusion.inputs;
-  if (fusion.closed && fusion.part && fusion.base) {
+  if ((fusion.closed && fusion.part && fusion.base) || evaluation.results.error) {
     outcome.results = std::make_shared<const FusionResults>(std::move(evaluation.results));
   }
   // Of a loop that is open, or has no simple closed curve, a person sees each path as it is alone.

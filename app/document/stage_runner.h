@@ -12,8 +12,8 @@
 
 namespace graftsman {
 
-/// What came out of a run. A closed loop has `results`; the paths of each mesh where the loop is open, or
-/// failed there.
+/// What came out of a run. A closed loop has `results`, and one whose fusion is made of another that has none
+/// (they say why); the paths of each mesh where the loop is open, or failed there.
 struct Outcome {
   Fusion fusion;        // that it was computed from, resolved
   ResultAssets assets;  // the results that it is made of

@@ -17,15 +17,16 @@ constexpr double kAlong = 0.8;
 // The normal of the polygon through the CVs (Newell's), outward for a loop that is counter-clockwise. Zero:
 // none.
 Eigen::Vector3d loopNormal(const Fusion& fusion, Side side) {
-  const auto& mesh = side == Side::Part ? fusion.inputs.part : fusion.inputs.base;
+  const auto& mesh = fusion.of(side)->mesh;
   const Loop& loop = fusion.inputs.loop;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  if (loop.size() < 3) {
+  if (loop.size() < 3 || (!mesh && fusion.upstream(side) == 0)) {
     return normal;
   }
   const auto at = [&](std::size_t i) {
     const CVP& pair = loop[i % loop.size()];
-    return positionOf(*mesh, side == Side::Part ? pair.part : pair.base);
+    const SurfacePoint& point = side == Side::Part ? pair.part : pair.base;
+    return mesh ? positionOf(*mesh, point) : point.place.value_or(Point::Zero());
   };
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
     normal += (at(i) - at(0)).cross(at(i + 1) - at(0));
@@ -52,7 +53,8 @@ Camera firstView(const Fusion& fusion, Side side) {
   }
   const Eigen::Vector3d beside = up.cross(front);
   const Eigen::Vector3d direction = (front + kBeside * beside + kAbove * up).normalized();
-  return {direction * asset->mesh->diagonal(), Point::Zero(), up, up};
+  const double distance = asset->mesh ? asset->mesh->diagonal() : 1;
+  return {direction * distance, Point::Zero(), up, up};
 }
 
 Camera withOtherUp(const Camera& camera) {

@@ -5,6 +5,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/workbench/first_view.h"
+#include "app/workbench/fusion_rows.h"
 #include "app/workbench/loop_view.h"
 #include "widgets/panels/pane_frame.h"
 #include "widgets/theme/icon.h"
@@ -49,11 +51,14 @@ FusionPage::FusionPage(DocumentModel& model, QWidget* parent)
 void FusionPage::setOutcome(const std::shared_ptr<const Outcome>& outcome) {
   if (outcome->results && outcome->results->fused && !outcome->results->error) {
     shown_ = outcome->results;
+    lookAtArrived(*outcome);
     pane_->setResults(shown_);
     // The hand may be further than the worker was.
     if (!(shown_->inputs.fcf == model_.fusion().inputs.fcf)) {
       pane_->setCurve(model_.fusion().inputs.fcf);
     }
+  } else if (!shown_) {
+    pane_->setResults(nullptr);  // that of the fusion that was shown before
   }
   showVerdict(outcome.get());
 }
@@ -74,21 +79,50 @@ void FusionPage::setPartInPlace(AdjustmentPanel::Shown shown) {
 }
 
 void FusionPage::showDocument(Change change) {
-  const FusionInputs& inputs = model_.fusion().inputs;
-  if (change == Change::Reset || !inputs.part || !inputs.base) {
+  const Fusion& fusion = model_.fusion();
+  if (change == Change::Reset || !fusion.part || !fusion.base) {
     shown_.reset();
     pane_->setResults(nullptr);
     showVerdict(nullptr);
+    if (change == Change::Reset) {
+      cameras_.clear();
+      seen_ = fusion.id;
+    }
+  } else if (change == Change::Shown) {
+    // The pane keeps its picture until the other result is there, but it is none that counts.
+    shown_.reset();
   } else if (shown_) {
-    pane_->setCurve(inputs.fcf);
+    pane_->setCurve(fusion.inputs.fcf);
   }
 }
 
+// Another fusion's result: seen as the person left it, or, where it is of another base, from its first side.
+void FusionPage::lookAtArrived(const Outcome& outcome) {
+  const FusionId id = outcome.fusion.id;
+  if (id == seen_) {
+    return;
+  }
+  cameras_[seen_] = pane_->camera();
+  const FusionList& fusions = model_.document().fusions;
+  if (const auto left = cameras_.find(id); left != cameras_.end()) {
+    pane_->setCamera(left->second);
+  } else if (firstBase(fusions, id) != firstBase(fusions, seen_)) {
+    pane_->aim(firstView(outcome.fusion, Side::Base));
+  }
+  seen_ = id;
+}
+
 void FusionPage::showVerdict(const Outcome* outcome) {
-  frame_->setTitle(shown_ ? tr("%1 vertices · %2 faces")
-                                .arg(QLocale().toString(shown_->fused->points.size()),
-                                     QLocale().toString(shown_->fused->faces().size()))
-                          : QString());
+  QStringList title;
+  if (model_.document().fusions.size() > 1) {
+    title.append(fusionName(model_.document().fusions, model_.shown()));
+  }
+  if (shown_) {
+    title.append(tr("%1 vertices · %2 faces")
+                     .arg(QLocale().toString(shown_->fused->points.size()),
+                          QLocale().toString(shown_->fused->faces().size())));
+  }
+  frame_->setTitle(title.join(tr(" · ")));
   const Error* error = errorOf(outcome);
   if (error && model_.fusion().closed) {
     const QString text = QString::fromStdString(error->message);

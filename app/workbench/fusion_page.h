@@ -1,12 +1,14 @@
 #pragma once
 
 #include <QWidget>
+#include <map>
 #include <memory>
 #include <optional>
 
 #include "app/document/document_model.h"
 #include "app/document/stage_runner.h"
 #include "widgets/panels/adjustment_panel.h"
+#include "widgets/viewport/viewport.h"
 
 class QComboBox;
 class QToolButton;
@@ -17,8 +19,9 @@ class FusionCurvePanel;
 class PaneFrame;
 class ResultPane;
 
-/// Fusion mode: the result. It stays shown, dimmed, while another is computed or while there is none for the
-/// present inputs; then its footer says why.
+/// Fusion mode: the result of the fusion that is shown. It stays shown, dimmed, while another is computed or
+/// while there is none for the present inputs; then its footer says why. A fusion that was shown before is
+/// seen as the person left it.
 class FusionPage : public QWidget {
   Q_OBJECT
 
@@ -44,6 +47,7 @@ class FusionPage : public QWidget {
 
  private:
   void showDocument(Change change);
+  void lookAtArrived(const Outcome& outcome);
   void showVerdict(const Outcome* outcome);
 
   DocumentModel& model_;
@@ -52,6 +56,8 @@ class FusionPage : public QWidget {
   QComboBox* colours_ = nullptr;
   QToolButton* seam_ = nullptr;
   std::shared_ptr<const FusionResults> shown_;
+  FusionId seen_ = 0;                   // the fusion that the camera was last set for
+  std::map<FusionId, Camera> cameras_;  // of fusions that were shown before
 };
 
 /// Lets the curve's panel, the document and the result's pane follow each other: what is dragged shows at

@@ -39,8 +39,33 @@ bool concerns(const std::vector<int>& numbers, std::size_t i) {
   return std::find(numbers.begin(), numbers.end(), static_cast<int>(i)) != numbers.end();
 }
 
-bool concerns(const Error* error, Side side) {
-  return error && (!error->side || error->side == side);
+// The side is another fusion's result, and there is no mesh of it.
+bool isUnresolved(const Fusion& fusion, Side side) {
+  return fusion.upstream(side) != 0 && !fusion.of(side)->mesh;
+}
+
+// Whether the outcome is of the mesh that the fusion has on that side.
+bool isOf(const Outcome* outcome, const Fusion& fusion, Side side) {
+  return outcome && outcome->fusion.id == fusion.id && fusion.of(side) &&
+         same(outcome->fusion.of(side), fusion.of(side)) &&
+         outcome->fusion.of(side)->mesh == fusion.of(side)->mesh;
+}
+
+// The outcome's error where it is about that side; null: there is none to tell.
+const Error* errorOf(const Outcome* outcome, const Fusion& fusion, Side side) {
+  const Error* error = isOf(outcome, fusion, side) ? errorOf(outcome) : nullptr;
+  if (!error || error->code == ErrorCode::Cancelled) {
+    return nullptr;
+  }
+  const bool concerned = error->code == ErrorCode::SourceUnfused ? isUnresolved(fusion, side)
+                                                                 : !error->side || error->side == side;
+  return concerned ? error : nullptr;
+}
+
+// Of that side; null: none moved.
+const Error* movedOn(Side side, const std::vector<Error>& moved) {
+  const auto found = std::ranges::find(moved, std::optional(side), &Error::side);
+  return found == moved.end() ? nullptr : &*found;
 }
 
 Remedy remedyFor(const Error& error) {
@@ -54,6 +79,10 @@ Remedy remedyFor(const Error& error) {
       return error.message.find("everse") != std::string::npos ? Remedy::ReverseLoop : Remedy::None;
     case ErrorCode::TileNotSeparated:
       return Remedy::OpenLoop;
+    case ErrorCode::SourceUnfused:
+      return Remedy::ShowSource;
+    case ErrorCode::LoopPointMoved:
+      return Remedy::KeepPlaces;
     default:
       return error.cvs.empty() ? Remedy::None : Remedy::ShowCV;
   }
@@ -112,21 +141,20 @@ const Error* errorOf(const Outcome* outcome) {
 SideView viewLoop(Side side, const Fusion& fusion, const Outcome* outcome,
                   const std::optional<HalfPair>& half, const QSet<int>& selection) {
   SideView view;
-  const bool current = outcome && outcome->fusion.of(side) == fusion.of(side) && fusion.of(side);
-  const Error* error = current ? errorOf(outcome) : nullptr;
-  if (!concerns(error, side) || (error && error->code == ErrorCode::Cancelled)) {
-    error = nullptr;
-  }
+  const Error* error = errorOf(outcome, fusion, side);
+  const std::vector<Error> allMoved = movedCVs(fusion);
+  const Error* moved = movedOn(side, allMoved);
   const Loop& loop = fusion.inputs.loop;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const int number = static_cast<int>(i);
     view.marks.cvs.push_back({side == Side::Part ? loop[i].part : loop[i].base, number, false,
-                              selection.contains(number), error && concerns(error->cvs, i)});
+                              selection.contains(number),
+                              (error && concerns(error->cvs, i)) || (moved && concerns(moved->cvs, i))});
   }
   if (half && half->side == side) {
     view.marks.cvs.push_back({half->at, static_cast<int>(loop.size()), true, false, false});
   }
-  if (current && !loop.empty()) {
+  if (isOf(outcome, fusion, side) && !loop.empty()) {
     const KnownPaths known = knownPaths(*outcome, side);
     for (std::size_t i = 0; known.paths && i < known.paths->size(); ++i) {
       if (const auto& path = (*known.paths)[i]) {
@@ -141,8 +169,10 @@ SideView viewLoop(Side side, const Fusion& fusion, const Outcome* outcome,
     const SideResults* results = resultsOf(*outcome, side);
     view.marks.tile = fusion.closed && results ? results->tile : nullptr;
   }
-  if (error) {
-    view.verdict = {QString::fromStdString(error->message), true, remedyFor(*error), cvToShow(*error)};
+  if (const Error* told = error ? error : moved) {
+    view.verdict = {QString::fromStdString(told->message), true, remedyFor(*told), cvToShow(*told)};
+  } else if (isUnresolved(fusion, side)) {
+    view.verdict.text = tr("This result is being computed");
   } else if (fusion.closed && view.marks.tile) {
     view.verdict.text =
         tr("The tile is a disk of %1 faces").arg(QLocale().toString(view.marks.tile->faces.size()));
@@ -155,9 +185,10 @@ SideView viewLoop(Side side, const Fusion& fusion, const Outcome* outcome,
 std::vector<PairRow> pairRows(const Fusion& fusion, const Outcome* outcome,
                               const std::optional<HalfPair>& half) {
   std::vector<PairRow> rows;
-  const Error* error = errorOf(outcome);
+  const Error* error = outcome && outcome->fusion.id == fusion.id ? errorOf(outcome) : nullptr;
+  const std::vector<Error> moved = movedCVs(fusion);
   const auto length = [&](Side side, std::size_t i) -> std::optional<double> {
-    if (!outcome || outcome->fusion.of(side) != fusion.of(side)) {
+    if (!isOf(outcome, fusion, side)) {
       return {};
     }
     const KnownPaths known = knownPaths(*outcome, side);
@@ -170,6 +201,11 @@ std::vector<PairRow> pairRows(const Fusion& fusion, const Outcome* outcome,
     PairRow row{loop[i].part, loop[i].base, length(Side::Part, i), length(Side::Base, i), {}};
     if (error && (concerns(error->cvs, i) || concerns(error->paths, i))) {
       row.problem = QString::fromStdString(error->message);
+    }
+    for (const Error& one : moved) {
+      if (row.problem.isEmpty() && concerns(one.cvs, i)) {
+        row.problem = QString::fromStdString(one.message);
+      }
     }
     rows.push_back(std::move(row));
   }
@@ -193,6 +229,10 @@ QString remedyText(const Verdict& verdict) {
       return tr("Close the loop");
     case Remedy::ShowCV:
       return tr("Show CV %1").arg(verdict.cv);
+    case Remedy::ShowSource:
+      return tr("Show that fusion");
+    case Remedy::KeepPlaces:
+      return tr("Leave them there");
   }
   return {};
 }

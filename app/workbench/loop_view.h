@@ -14,7 +14,7 @@
 namespace graftsman {
 
 /// What a person can do about a loop that makes no fusion.
-enum class Remedy { None, ReverseLoop, OpenLoop, CloseLoop, ShowCV };
+enum class Remedy { None, ReverseLoop, OpenLoop, CloseLoop, ShowCV, ShowSource, KeepPlaces };
 
 /// What stands below a pane.
 struct Verdict {
@@ -31,7 +31,8 @@ struct SideView {
 };
 
 /// The loop of `fusion` as the window shows it. `outcome` is the last that a run gave (null: none yet): its
-/// paths and tile are shown as far as they are of the present meshes, its error where it concerns this side.
+/// paths and tile are shown as far as they are of the present meshes, its error where it concerns this side;
+/// without an error, which CVs moved with the result that they are on (movedCVs()).
 [[nodiscard]] SideView viewLoop(Side side, const Fusion& fusion, const Outcome* outcome,
                                 const std::optional<HalfPair>& half, const QSet<int>& selection);
 

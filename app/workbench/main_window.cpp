@@ -18,6 +18,7 @@
 #include "app/workbench/actions.h"
 #include "app/workbench/autosave.h"
 #include "app/workbench/first_view.h"
+#include "app/workbench/fusion_outline.h"
 #include "app/workbench/fusion_page.h"
 #include "app/workbench/job_queue.h"
 #include "app/workbench/start_page.h"
@@ -26,6 +27,7 @@
 #include "widgets/curve/fusion_curve_editor.h"
 #include "widgets/curve/fusion_curve_panel.h"
 #include "widgets/panels/adjustment_panel.h"
+#include "widgets/panels/fusion_tree_panel.h"
 #include "widgets/panels/pairs_model.h"
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/stages_panel.h"
@@ -41,7 +43,7 @@ constexpr auto kLayoutKey = "window/layout";
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kClosedByPerson = "closedByPerson";
 // Of saveState(): another number after a change of docks or bars.
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 
 // What is computed within this time is not announced: nothing blinks.
 constexpr int kQuietMs = 150;
@@ -73,6 +75,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
       curve_(new FusionCurvePanel),
       adjustment_(new AdjustmentPanel),
       stages_(new StagesPanel),
+      outline_(new FusionOutline(*model_, this)),
       status_(new StatusLine) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
@@ -134,9 +137,11 @@ void MainWindow::makePanels() {
   view->setEmptyLabel(tr("As opened"));
   QDockWidget* history = addDock("historyDock", tr("History"), view);
   tabifyDockWidget(adjustmentDock_, stages);
+  QDockWidget* fusions = addDock("fusionsDock", tr("Fusions"), outline_->panel());
   tabifyDockWidget(stages, history);
+  tabifyDockWidget(history, fusions);
   adjustmentDock_->raise();
-  sharedDocks_ = {adjustmentDock_, stages, history};
+  sharedDocks_ = {adjustmentDock_, stages, history, fusions};
   for (QDockWidget* dock : sharedDocks_) {
     connect(dock->toggleViewAction(), &QAction::triggered, dock,
             [dock](bool shown) { dock->setProperty(kClosedByPerson, !shown); });
@@ -238,9 +243,13 @@ void MainWindow::showBusy() {
 }
 
 void MainWindow::showOutcome(const std::shared_ptr<const Outcome>& outcome) {
+  outline_->setOutcome(*outcome);
+  if (outcome->fusion.id != model_->shown()) {
+    return;  // it was on its way when another fusion was shown
+  }
   const std::shared_ptr<const FusionResults> before =
       tiles_->outcome() ? tiles_->outcome()->results : nullptr;
-  model_->setResultAssets(outcome->assets);
+  model_->setResultAssets(outcome->assets, outcome->fusion);
   tiles_->setOutcome(outcome);
   fusion_->setOutcome(outcome);
   pairs_->model()->setRows(pairRows(model_->fusion(), outcome.get(), editor_->halfPair()));
@@ -386,7 +395,10 @@ Viewport* MainWindow::currentViewport() const {
 
 void MainWindow::showTitle() {
   const bool modified = !model_->history()->isClean();
-  setWindowTitle(tr("%1[*] – Graftsman").arg(files_->name()));
+  const FusionList& fusions = model_->document().fusions;
+  const QString fusion =
+      fusions.size() > 1 ? tr(" – %1").arg(fusionName(fusions, model_->shown())) : QString();
+  setWindowTitle(tr("%1[*]%2 – Graftsman").arg(files_->name(), fusion));
   setWindowModified(modified);
   const bool anything = modified || !files_->path().isEmpty();
   status_->showSaved(anything ? std::optional(!modified) : std::nullopt);

@@ -19,6 +19,7 @@ class Actions;
 class AdjustmentPanel;
 class Autosave;
 class FusionCurvePanel;
+class FusionOutline;
 class FusionPage;
 class JobQueue;
 class LoopEditor;
@@ -90,6 +91,7 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectViews();
   void connectTools();
+  void connectFusions();
   void enableActions();
   void showUndoTexts();
 
@@ -131,6 +133,7 @@ class MainWindow : public QMainWindow {
   FusionCurvePanel* curve_;
   AdjustmentPanel* adjustment_;
   StagesPanel* stages_;
+  FusionOutline* outline_;
   StatusLine* status_;
   QDockWidget* pairsDock_ = nullptr;
   QDockWidget* curveDock_ = nullptr;

@@ -179,7 +179,7 @@ void ProjectFiles::importMesh(Side side, const QString& path) {
   jobs_.start<Result<MeshFile>>(
       tr("Reading %1").arg(fileName(path)),
       [path](const Progress& progress) { return readMesh(toPath(path), progress); },
-      [this, side, path](Result<MeshFile> file) {
+      [this, side, path, fusion = model_.shown()](Result<MeshFile> file) {
         if (!file) {
           Q_EMIT failed(QString::fromStdString(file.error().message));
           return;
@@ -187,6 +187,7 @@ void ProjectFiles::importMesh(Side side, const QString& path) {
         const QString report = QString::fromStdString(describe(file->report)).trimmed().replace('\n', "; ");
         auto asset = std::make_shared<const MeshAsset>(
             MeshAsset{fileName(path).toStdString(), toPath(path), file->report, std::move(file->mesh)});
+        model_.show(fusion);  // for which it was asked
         model_.push(
             std::make_unique<LoadMesh>(model_, edits::loadMesh(model_.committed(), side, asset), side));
         Q_EMIT told(tr("Read %1: %2").arg(fileName(path), report));

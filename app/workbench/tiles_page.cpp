@@ -8,6 +8,7 @@
 
 #include "app/document/loop_editor.h"
 #include "app/workbench/first_view.h"
+#include "app/workbench/fusion_rows.h"
 #include "widgets/panels/pane_frame.h"
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/mesh_pane.h"
@@ -17,10 +18,18 @@ namespace {
 
 constexpr std::array<Side, 2> kSides = {Side::Part, Side::Base};
 
-QString title(const std::shared_ptr<const MeshAsset>& asset) {
-  return asset ? TilesPage::tr("%1 · %2 faces")
-                     .arg(QString::fromStdString(asset->name), QLocale().toString(asset->mesh->faceCount()))
-               : TilesPage::tr("no mesh yet");
+// "head.obj · 8,932 faces", "Result of “Nose” · 9,120 faces".
+QString title(const DocumentModel& model, Side side) {
+  const std::shared_ptr<const MeshAsset>& asset = model.fusion().of(side);
+  if (!asset) {
+    return TilesPage::tr("no mesh yet");
+  }
+  const QString name =
+      asset->result != 0
+          ? TilesPage::tr("Result of “%1”").arg(fusionName(model.document().fusions, asset->result))
+          : QString::fromStdString(asset->name);
+  return asset->mesh ? TilesPage::tr("%1 · %2 faces").arg(name, QLocale().toString(asset->mesh->faceCount()))
+                     : name;
 }
 
 }  // namespace
@@ -37,6 +46,7 @@ TilesPage::TilesPage(DocumentModel& model, LoopEditor& editor, QWidget* parent)
     connectPane(side);
   }
   connect(&model, &DocumentModel::changed, this, &TilesPage::showDocument);
+  shown_ = model.shown();
   connect(&editor, &LoopEditor::halfPairChanged, this, &TilesPage::showLoop);
   connect(&editor, &LoopEditor::selectionChanged, this, &TilesPage::showLoop);
   showTitles();
@@ -75,15 +85,7 @@ void TilesPage::connectPane(Side side) {
     }
   });
   connect(frame, &PaneFrame::enlargeToggled, this, [=, this](bool enlarged) { enlarge(side, enlarged); });
-  connect(frame, &PaneFrame::remedyClicked, this, [=, this] {
-    const Verdict verdict = verdicts_[index(side)];
-    if (verdict.remedy == Remedy::ShowCV) {
-      editor_.select({verdict.cv});
-      pane->flashCV(verdict.cv);
-    } else {
-      Q_EMIT remedyWanted(verdict.remedy);
-    }
-  });
+  connect(frame, &PaneFrame::remedyClicked, this, [=, this] { applyRemedy(side); });
 }
 
 void TilesPage::setOutcome(std::shared_ptr<const Outcome> outcome) {
@@ -109,13 +111,12 @@ void TilesPage::setBusy(std::optional<double> progress) {
 
 void TilesPage::showDocument(Change change, const Touched& touched) {
   const Fusion& fusion = model_.fusion();
+  if (outcome_ && (change == Change::Reset || outcome_->fusion.id != fusion.id)) {
+    outcome_.reset();
+  }
+  lookAtMeshes(change);
   for (const Side side : kSides) {
-    const auto& mesh = side == Side::Part ? fusion.inputs.part : fusion.inputs.base;
-    if (mesh && mesh != meshes_[index(side)]) {
-      pane(side)->aim(firstView(fusion, side));
-    }
-    meshes_[index(side)] = mesh;
-    pane(side)->setMesh(mesh);
+    pane(side)->setMesh(side == Side::Part ? fusion.inputs.part : fusion.inputs.base);
   }
   showTitles();
   showLoop();
@@ -128,9 +129,49 @@ void TilesPage::showDocument(Change change, const Touched& touched) {
   }
 }
 
+// A mesh that was not seen in its pane before is looked at from its first side. A fusion that was shown
+// before is seen as the person left it, and a result that was computed anew as it was.
+void TilesPage::lookAtMeshes(Change change) {
+  const Fusion& fusion = model_.fusion();
+  if (change == Change::Reset) {
+    cameras_.clear();
+  } else if (fusion.id != shown_) {
+    cameras_[shown_] = {pane(Side::Part)->camera(), pane(Side::Base)->camera()};
+  }
+  const auto left = fusion.id != shown_ ? cameras_.find(fusion.id) : cameras_.end();
+  for (const Side side : kSides) {
+    const std::shared_ptr<const MeshAsset>& asset = fusion.of(side);
+    if (asset && left != cameras_.end()) {
+      pane(side)->setCamera(left->second[index(side)]);
+    } else if (asset && !same(asset, seen_[index(side)])) {
+      pane(side)->aim(firstView(fusion, side));
+    }
+    seen_[index(side)] = asset;
+  }
+  shown_ = fusion.id;
+}
+
+void TilesPage::applyRemedy(Side side) {
+  const Verdict verdict = verdicts_[index(side)];
+  switch (verdict.remedy) {
+    case Remedy::ShowCV:
+      editor_.select({verdict.cv});
+      pane(side)->flashCV(verdict.cv);
+      break;
+    case Remedy::ShowSource:
+      model_.show(model_.fusion().upstream(side));
+      break;
+    case Remedy::KeepPlaces:
+      editor_.keepPlaces(side);
+      break;
+    default:
+      Q_EMIT remedyWanted(verdict.remedy);
+  }
+}
+
 void TilesPage::showTitles() {
   for (const Side side : kSides) {
-    frames_[index(side)]->setTitle(title(model_.fusion().of(side)));
+    frames_[index(side)]->setTitle(title(model_, side));
     frames_[index(side)]->setRoleColour(themeFor(palette()).of(side));
   }
 }

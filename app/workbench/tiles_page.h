@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <array>
+#include <map>
 #include <memory>
 
 #include "app/document/document_model.h"
@@ -51,6 +52,8 @@ class TilesPage : public QWidget {
   void showLoop();
   void showTitles();
   void enlarge(Side side, bool enlarged);
+  void lookAtMeshes(Change change);
+  void applyRemedy(Side side);
 
   DocumentModel& model_;
   LoopEditor& editor_;
@@ -59,8 +62,10 @@ class TilesPage : public QWidget {
   std::array<MeshPane*, 2> panes_ = {};
   std::array<PaneFrame*, 2> frames_ = {};
   std::array<Verdict, 2> verdicts_;
-  std::array<std::shared_ptr<const TriangleMesh>, 2> meshes_;  // that the panes were aimed at
-  std::optional<std::array<CameraLink, 2>> links_;  // from each side to the other; none: not linked
+  std::array<std::shared_ptr<const MeshAsset>, 2> seen_;  // that the panes were aimed at
+  FusionId shown_ = 0;                                    // whose they are
+  std::map<FusionId, std::array<Camera, 2>> cameras_;     // of fusions that were shown before
+  std::optional<std::array<CameraLink, 2>> links_;        // from each side to the other; none: not linked
 };
 
 }  // namespace graftsman

@@ -1,5 +1,7 @@
 #include <QApplication>
 #include <QComboBox>
+#include <QDockWidget>
+#include <QMenu>
 #include <QSettings>
 #include <QToolButton>
 
@@ -8,6 +10,7 @@
 #include "app/document/stage_runner.h"
 #include "app/workbench/actions.h"
 #include "app/workbench/first_view.h"
+#include "app/workbench/fusion_outline.h"
 #include "app/workbench/fusion_page.h"
 #include "app/workbench/help_dialogs.h"
 #include "app/workbench/job_queue.h"
@@ -69,6 +72,7 @@ void MainWindow::connectActions() {
   onTrigger(actions, "about", this, [this] { showAbout(this); });
   connectViews();
   connectTools();
+  connectFusions();
   showUndoTexts();
 }
 
@@ -208,6 +212,33 @@ void MainWindow::connectTools() {
   curve_->editor()->addAction(actions["repeat"]);
 }
 
+void MainWindow::connectFusions() {
+  const Actions& actions = *actions_;
+  onTrigger(actions, "newFusion", this, [this] { outline_->addEmpty(); });
+  onTrigger(actions, "fuseOnto", this, [this] { outline_->fuseOnto(model_->shown()); });
+  onTrigger(actions, "removeFusion", this, [this] { outline_->remove(model_->shown()); });
+  onTrigger(actions, "renameFusion", this, [this] {
+    auto* dock = findChild<QDockWidget*>("fusionsDock");
+    dock->show();
+    dock->raise();
+    outline_->editName(model_->shown());
+  });
+  for (const auto& [name, side] : {std::pair("takePartMenu", Side::Part), {"takeBaseMenu", Side::Base}}) {
+    QMenu* menu = actions.menu(name);
+    connect(menu, &QMenu::aboutToShow, outline_,
+            [this, menu, side = side] { outline_->fillTakeMenu(*menu, side); });
+  }
+  connect(outline_, &FusionOutline::tilesWanted, this, [this] { setMode(Mode::Tiles); });
+  connect(outline_, &FusionOutline::refused, this,
+          [this](const Error& error) { status_->warn(QString::fromStdString(error.message)); });
+  connect(model_, &DocumentModel::documentChanged, this, &MainWindow::showTitle);
+  connect(model_, &DocumentModel::changed, this, [this](Change change) {
+    if (change == Change::Shown) {
+      showTitle();
+    }
+  });
+}
+
 void MainWindow::showUndoTexts() {
   const auto show = [](QAction* action, const QString& verb, const QString& text) {
     action->setText(text.isEmpty() ? verb : QString("%1: %2").arg(verb, text));
@@ -239,6 +270,8 @@ void MainWindow::enableActions() {
   const bool current = fused && same(fusion_->shown()->inputs, fusion.inputs);
   enable("exportResult", current);
   enable("exportPicture", fused);
+  enable("fuseOnto", fusion.part && fusion.base);
+  enable("removeFusion", model_->document().fusions.size() > 1 || fusion.part || fusion.base);
   enable("cancel", runner_->busy() || jobs_->busy() || variants_->pictures()->missing() > 0);
   (*actions_)["paperPaths"]->setChecked(fusion.inputs.paths == PathMode::Paper);
   (*actions_)["largeTile"]->setChecked(fusion.inputs.tile.allowLargeTile);

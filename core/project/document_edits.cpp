@@ -78,6 +78,9 @@ std::shared_ptr<const MeshAsset> resultAsset(const Fusion& fusion) {
   MeshAsset asset;
   asset.name = label(fusion);
   asset.result = fusion.id;
+  if (fusion.base) {
+    asset.report.format = fusion.base->report.format;  // what is up in it is so in the result
+  }
   return std::make_shared<const MeshAsset>(std::move(asset));
 }
 

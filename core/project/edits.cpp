@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/fusion/path_position.h"
+#include "core/mesh/attach.h"
 
 namespace graftsman::edits {
 namespace {
@@ -38,11 +39,14 @@ Result<void> checkCV(const Fusion& fusion, std::size_t number, Side side) {
   return {};
 }
 
-// On a mesh that is computed, the CV is found again by its place.
+// On a mesh that is computed, the CV is found again by its place: already now, so that it is the very same
+// point whenever the fusion is resolved.
 void rememberPlace(const Fusion& fusion, Side side, SurfacePoint& point) {
   point.place.reset();
   if (fusion.upstream(side) != 0) {
-    point.place = positionOf(*fusion.of(side)->mesh, point);
+    const TriangleMesh& mesh = *fusion.of(side)->mesh;
+    point.place = positionOf(mesh, point);
+    point = attach(mesh, point);
   }
 }
 

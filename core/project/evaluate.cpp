@@ -21,7 +21,7 @@ void resolveSide(Fusion& fusion, Side side, const ResultAssets& assets) {
   if (upstream == 0 || (found != assets.end() && fusion.of(side) == found->second)) {
     return;
   }
-  if (found == assets.end()) {
+  if (found == assets.end() || !found->second) {
     MeshAsset missing = *fusion.of(side);
     missing.mesh = nullptr;
     setAsset(fusion, side, std::make_shared<const MeshAsset>(std::move(missing)));
@@ -49,6 +49,7 @@ std::shared_ptr<const MeshAsset> assetOf(const Fusion& fusion, Evaluated::One& o
     auto asset = std::make_shared<MeshAsset>();
     asset->name = label(fusion);
     asset->result = fusion.id;
+    asset->report.format = fusion.base->report.format;
     asset->mesh =
         one.asset && one.of == one.results.fused
             ? one.asset->mesh
@@ -140,6 +141,10 @@ Upstream evaluateUpstream(const FusionList& fusions, FusionId id, Evaluated& kno
       upstream.assets[fusion.id] = asset;
     } else {
       upstream.error = unfused(*find(fusions, id), fusion, can ? one.results : FusionResults());
+      // A cancelled run says nothing of those that it did not come to.
+      for (; upstream.error->code != ErrorCode::Cancelled && i < order.size(); ++i) {
+        upstream.assets[order[i]] = nullptr;
+      }
       break;
     }
   }

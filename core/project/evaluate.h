@@ -23,7 +23,7 @@ struct Evaluated {
   void prune(const FusionList& list);
 };
 
-/// Meshes of results, by the id of the fusion.
+/// Meshes of results, by the id of the fusion. Null: it has none.
 using ResultAssets = std::map<FusionId, std::shared_ptr<const MeshAsset>>;
 
 /// The fusion with the present meshes of the results that it is made of, and the CVs on them found again at

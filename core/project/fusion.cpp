@@ -11,7 +11,7 @@ bool sameSettings(const FusionInputs& a, const FusionInputs& b) {
 }
 
 std::string stem(const MeshAsset& asset) {
-  return std::filesystem::path(asset.name).stem().string();
+  return asset.result != 0 ? asset.name : std::filesystem::path(asset.name).stem().string();
 }
 
 }  // namespace
