@@ -19,9 +19,6 @@ class EditCommand : public QUndoCommand {
   [[nodiscard]] const Document& after() const { return after_; }
   [[nodiscard]] FusionId showsBefore() const { return shownBefore_; }
   [[nodiscard]] FusionId showsAfter() const { return shownAfter_; }
-
-  [[nodiscard]] const Document& before() const { return before_; }
-  [[nodiscard]] const Document& after() const { return after_; }
   [[nodiscard]] HistoryStep step() const;
 
  protected:

@@ -122,7 +122,8 @@ VariantPictures::Key VariantPictures::keyOf(const Variant& variant) {
   return key;
 }
 
-void VariantPictures::request(const VariantList& variants, std::shared_ptr<const FusionResults> known) {
+void VariantPictures::request(const VariantList& variants,
+                              const std::shared_ptr<const FusionResults>& known) {
   prune(variants);
   std::vector<Job> jobs;
   std::set<Key> asked;
@@ -188,7 +189,7 @@ void VariantPictures::restore(const VariantList& variants, std::map<VariantId, s
   }
 }
 
-void VariantPictures::restoreLook(std::optional<PictureCamera> camera, bool dark) {
+void VariantPictures::restoreLook(const std::optional<PictureCamera>& camera, bool dark) {
   camera_ = camera;
   if (dark != dark_) {
     ++look_;  // they stay shown until they are drawn anew

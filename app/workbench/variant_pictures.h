@@ -47,7 +47,7 @@ class VariantPictures : public QObject {
 
   /// Asks for the pictures of these variants that are missing or out of date: newest first, what was asked
   /// for before and is not in the list is forgotten. `known`: results that one of them may have, or null.
-  void request(const VariantList& variants, std::shared_ptr<const FusionResults> known);
+  void request(const VariantList& variants, const std::shared_ptr<const FusionResults>& known);
   /// Forgets what is asked for and stops what is under way. The next request asks again.
   void cancel();
   /// How many are asked for and not there yet.
@@ -60,7 +60,7 @@ class VariantPictures : public QObject {
   /// Forgets all pictures and takes those of a file, made from the camera and background that are set next.
   void restore(const VariantList& variants, std::map<VariantId, std::string> files);
   /// Of the restored pictures. Without camera they count as up to date whatever camera is set first.
-  void restoreLook(std::optional<PictureCamera> camera, bool dark);
+  void restoreLook(const std::optional<PictureCamera>& camera, bool dark);
 
  Q_SIGNALS:
   /// The picture of fusions came: shown() of their variants is new.

@@ -146,9 +146,15 @@ void takeSamples(const Workbench& bench, const QString& folder) {
 
 void takeAll(Workbench& bench, Photographer& photographer, const QString& theme) {
   const auto take = [&](const QString& name) { photographer.take(theme + '-' + name); };
+  keepVariants(bench);
+  bench.window->variantsPage().gallery()->select({2, 5, 9});
+  take("variants-several");
   bench.window->setMode(MainWindow::Mode::Tiles);
   take("empty");
   open(bench, "fig7_letters_bottle");
+  bench.window->setMode(MainWindow::Mode::Variants);
+  take("variants-empty");
+  bench.window->setMode(MainWindow::Mode::Fusion);
   for (int colouring = 0; colouring < 5; ++colouring) {
     bench.window->findChild<QComboBox*>("colouring")->setCurrentIndex(colouring);
     take(QString("colour-%1").arg(colouring));
