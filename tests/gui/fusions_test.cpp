@@ -10,6 +10,7 @@
 #include "core/project/evaluate.h"
 #include "tests/support/stacked.h"
 #include "tests/support/workbench.h"
+#include "widgets/panels/elided_label.h"
 #include "widgets/panels/fusion_tree_panel.h"
 #include "widgets/panels/pairs_model.h"
 
@@ -53,13 +54,8 @@ class FusionsTest : public QObject {
     [[nodiscard]] QAbstractButton* remedy(Side side) const {
       return frame(side)->findChild<QAbstractButton*>("remedy");
     }
-    // All that the frame's labels say.
-    [[nodiscard]] QString text(Side side) const {
-      QStringList texts;
-      for (const auto* label : frame(side)->findChildren<QLabel*>()) {
-        texts.append(label->text() + label->toolTip() + label->accessibleName());
-      }
-      return texts.join('\n');
+    [[nodiscard]] QString title(Side side) const {
+      return frame(side)->findChild<ElidedLabel*>("paneTitle")->text();
     }
     [[nodiscard]] QString pairProblem(int row) const {
       const auto* model = window->findChild<PairsModel*>();
@@ -68,6 +64,10 @@ class FusionsTest : public QObject {
     void name(FusionId id, const QString& name) const {
       raiseTree();
       tree()->editName(id);
+      typeName(id, name);
+    }
+    // Into the editor that is open in the tree.
+    void typeName(FusionId id, const QString& name) const {
       auto* editor = tree()->view()->viewport()->findChild<QLineEdit*>();
       if (!editor) {
         qFatal("no editor of the name");
@@ -75,6 +75,7 @@ class FusionsTest : public QObject {
       editor->selectAll();
       QTest::keyClicks(editor, name);
       QTest::keyClick(editor, Qt::Key_Return);
+      QTRY_COMPARE(QString::fromStdString(find(fusions(), id)->name), name);
     }
   };
 
@@ -116,8 +117,7 @@ class FusionsTest : public QObject {
     QVERIFY(bench.openSample("fig8b_cone_nose"));
     const std::vector<Point> nose = bench.fused();
     bench.action("renameFusion")->trigger();
-    bench.name(1, "Nose");
-    QCOMPARE(bench.fusion().name, std::string("Nose"));
+    bench.typeName(1, "Nose");
 
     // Onto the result; it is the base at once.
     bench.action("fuseOnto")->trigger();
@@ -126,7 +126,7 @@ class FusionsTest : public QObject {
     QCOMPARE(bench.fusion().upstream(Side::Base), 1);
     QVERIFY(bench.settle());
     QVERIFY(bench.fusion().inputs.base && bench.fusion().inputs.base->points() == nose);
-    QVERIFY2(bench.text(Side::Base).contains("Result of “Nose”"), qPrintable(bench.text(Side::Base)));
+    QVERIFY2(bench.title(Side::Base).startsWith("Result of “Nose” · "), qPrintable(bench.title(Side::Base)));
     QVERIFY(bench.window->windowTitle().contains("Fusion 2"));
 
     // A hemisphere on the top of the head.
