@@ -114,7 +114,8 @@ class EvaluateTest : public QObject {
       const SurfacePoint& point = moved->inputs.loop[3].base;
       const SurfacePoint again = attach(mesh, point);
       QVERIFY(again.face == point.face && again.bary == point.bary);
-      QVERIFY((positionOf(mesh, point) - *point.place).norm() < 1e-12);
+      // The weights are found again by division; a sliver loses most.
+      QVERIFY((positionOf(mesh, point) - *point.place).norm() < 1e-9);
     }
   }
 

@@ -384,6 +384,48 @@ class FusionsTest : public QObject {
     QVERIFY2(bench.status().contains("is itself made of"), qPrintable(bench.status()));
   }
 
+  void theContextMenuOfARowActsOnThatFusion() {
+    Bench bench;
+    bench.model().reset(samples::twoConesOnASphere(), 2);
+    QVERIFY(bench.settle());
+    bench.action("newFusion")->trigger();
+    const auto choose = [&](FusionId row, const QString& text) {
+      bench.raiseTree();
+      QTreeView* view = bench.tree()->view();
+      const QPoint at = view->visualRect(bench.tree()->model()->find(row)).center();
+      QContextMenuEvent event(QContextMenuEvent::Mouse, at, view->viewport()->mapToGlobal(at));
+      QApplication::sendEvent(view->viewport(), &event);
+      auto* menu = bench.window->findChild<QMenu*>("fusionsMenu");
+      QVERIFY(menu && menu->isVisible());
+      const QList<QAction*> entries = menu->actions();
+      const auto entry = std::ranges::find(entries, text, &QAction::text);
+      QVERIFY2(entry != entries.end(), qPrintable(text));
+      (*entry)->trigger();
+      menu->close();
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    };
+    choose(2, "Take as the part of “Fusion 3”");
+    QCOMPARE(bench.fusion().upstream(Side::Part), 2);
+    choose(1, "Take as the base of “Fusion 3”");
+    QCOMPARE(bench.fusion().upstream(Side::Base), 1);
+    QVERIFY(bench.settle());
+    QVERIFY(bench.fusion().inputs.part && bench.fusion().inputs.base);
+    choose(1, "Show");
+    QCOMPARE(bench.model().shown(), 1);
+    choose(2, "Remove");
+    QVERIFY(!find(bench.fusions(), 2));
+    QCOMPARE(bench.model().shown(), 1);
+    choose(1, "Fuse onto this result");
+    QCOMPARE(bench.fusion().upstream(Side::Base), 1);
+    QVERIFY(bench.settle());
+    // The last one that goes leaves an empty one.
+    while (bench.fusions().size() > 1 || bench.fusion().base) {
+      bench.action("removeFusion")->trigger();
+    }
+    QVERIFY(!bench.action("removeFusion")->isEnabled());
+    QVERIFY(bench.settle());
+  }
+
   void aFusionIsSeenAgainAsItWasLeft() {
     Bench bench;
     bench.model().reset(samples::twoConesOnASphere(), 2);
