@@ -181,7 +181,7 @@ void VariantsPage::takeView() {
 void VariantsPage::setCamera(const View& view) {
   const double aspect =
       static_cast<double>(VariantDelegate::kPicture.width()) / VariantDelegate::kPicture.height();
-  pictures_->setCamera(pictureCamera(view.pane, bothShapes(*view.results), aspect));
+  pictures_->setCamera(pictureCamera(view.pane, shownPoints(*view.results, FusionView::Whole), aspect));
 }
 
 void VariantsPage::showVariants() {

@@ -1,4 +1,5 @@
 #include <QDockWidget>
+#include <QMenu>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QToolBar>

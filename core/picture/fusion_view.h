@@ -22,8 +22,7 @@ enum class FusionView { Whole, Tile };
                                       const ViewDirection& direction, double aspect);
 
 /// The result's positions at a curve that has one value everywhere: the base's shape at weight 0, the part's
-/// at
-/// 1. Precondition: `results.fused`.
+/// at weight 1. Precondition: `results.fused`.
 [[nodiscard]] std::vector<Point> morphed(const FusionResults& results, double weight);
 
 /// The points that cameraFor() frames: of the whole, the result in both its shapes (or the base with the
