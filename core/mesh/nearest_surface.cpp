@@ -1,5 +1,6 @@
 #include "core/mesh/nearest_surface.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cassert>
