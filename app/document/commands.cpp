@@ -116,7 +116,7 @@ EditCommand::EditCommand(DocumentModel& model, Document before, Document after, 
       after_(std::move(after)),
       shownBefore_(step.shownBefore),
       shownAfter_(step.shownAfter),
-      touched_{step.cv, step.curvePoint} {}
+      touched_{.cv = step.cv, .side = {}, .curvePoint = step.curvePoint, .adjustment = false} {}
 
 HistoryStep EditCommand::step() const {
   return {text().toStdString(), shownBefore_, shownAfter_, touched_.cv, touched_.curvePoint};

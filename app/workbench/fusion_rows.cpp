@@ -7,12 +7,12 @@
 namespace graftsman {
 namespace {
 
-QString tr(const char* text) {
+QString say(const char* text) {
   return QCoreApplication::translate("graftsman::FusionRows", text);
 }
 
-QString faces(std::size_t count) {
-  return tr("%1 faces").arg(QLocale().toString(static_cast<qulonglong>(count)));
+QString facesText(std::size_t count) {
+  return say("%1 faces").arg(QLocale().toString(static_cast<qulonglong>(count)));
 }
 
 // As label() names what it is made of.
@@ -44,10 +44,10 @@ class Tree {
     if (source != nullptr) {
       row = fusionRow(*source);
     } else if (!asset) {
-      row.name = side == Side::Part ? tr("no part yet") : tr("no base yet");
+      row.name = side == Side::Part ? say("no part yet") : say("no base yet");
     } else {
       row.name = QString::fromStdString(asset->name);
-      row.what = asset->mesh ? faces(static_cast<std::size_t>(asset->mesh->faceCount())) : QString();
+      row.what = asset->mesh ? facesText(static_cast<std::size_t>(asset->mesh->faceCount())) : QString();
     }
     row.owner = fusion.id;
     row.side = side;
@@ -58,14 +58,14 @@ class Tree {
   void describe(const Fusion& fusion, FusionRow& row) const {
     const auto known = known_.find(fusion.id);
     if (!fusion.part || !fusion.base) {
-      row.what = fusion.base ? tr("no part") : fusion.part ? tr("no base") : tr("empty");
+      row.what = fusion.base ? say("no part") : fusion.part ? say("no base") : say("empty");
     } else if (!fusion.closed) {
-      row.what = tr("open loop");
+      row.what = say("open loop");
     } else if (known != known_.end() && !known->second.problem.isEmpty()) {
-      row.what = tr("no result");
+      row.what = say("no result");
       row.problem = known->second.problem;
     } else if (known != known_.end()) {
-      row.what = faces(known->second.faces);
+      row.what = facesText(known->second.faces);
     }
   }
 
@@ -84,7 +84,7 @@ QString fusionName(const FusionList& fusions, FusionId id) {
   if (!fusion->name.empty() || !fusion->part || !fusion->base) {
     return QString::fromStdString(label(*fusion));
   }
-  return tr("%1 on %2").arg(sourceName(fusions, *fusion->part), sourceName(fusions, *fusion->base));
+  return say("%1 on %2").arg(sourceName(fusions, *fusion->part), sourceName(fusions, *fusion->base));
 }
 
 std::shared_ptr<const MeshAsset> firstBase(const FusionList& fusions, FusionId id) {

@@ -73,19 +73,21 @@ class MainWindow : public QMainWindow {
 
  private:
   // main_window.cpp
-  void makePanels();
-  void makeToolBar();
-  [[nodiscard]] QDockWidget* addDock(const QString& name, const QString& title, QWidget* content);
   void connectDocument();
   void connectPanels();
   void requestRun(StageRunner::Urgency urgency);
   void showOutcome(const std::shared_ptr<const Outcome>& outcome);
   void showBusy();
   void showTitle();
+  [[nodiscard]] Viewport* currentViewport() const;
+
+  // window_layout.cpp
+  void makePanels();
+  void makeToolBar();
+  [[nodiscard]] QDockWidget* addDock(const QString& name, const QString& title, QWidget* content);
+  void showDocksOf(Mode mode);
   void restoreLayout();
   void saveLayout() const;
-  void showDocksOf(Mode mode);
-  [[nodiscard]] Viewport* currentViewport() const;
 
   // window_actions.cpp
   void connectActions();

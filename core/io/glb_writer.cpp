@@ -1,6 +1,7 @@
 #include "core/io/glb_writer.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cstdint>
@@ -30,6 +31,7 @@ constexpr int kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962;
 constexpr int kElementArrayBuffer = 34963;
 constexpr int kTriangles = 4;
+constexpr int kNoTarget = 0;  // of a view that no vertex or face is drawn from
 
 // Unit normals, each the mean of its faces' weighted by area; (0, 0, 1) where none is defined, since glTF
 // demands unit length.
@@ -80,6 +82,18 @@ class Buffer {
                         {"type", "SCALAR"}});
   }
 
+  /// Times or weights of an animation.
+  int add(const std::vector<float>& numbers) {
+    Json accessor = {{"bufferView", view(numbers.data(), numbers.size() * sizeof(float), kNoTarget)},
+                     {"componentType", kFloat},
+                     {"count", numbers.size()},
+                     {"type", "SCALAR"}};
+    const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+    accessor["min"] = Json::array({*low});
+    accessor["max"] = Json::array({*high});
+    return addAccessor(std::move(accessor));
+  }
+
   void describe(Json& gltf) const {
     gltf["accessors"] = accessors_;
     gltf["bufferViews"] = views_;
@@ -92,8 +106,10 @@ class Buffer {
  private:
   // Everything has a size of a multiple of four bytes, as its alignment demands.
   int view(const void* data, std::size_t size, int target) {
-    views_.push_back(
-        {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", size}, {"target", target}});
+    views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", size}});
+    if (target != kNoTarget) {
+      views_.back()["target"] = target;
+    }
     bytes_.append(static_cast<const char*>(data), size);
     return static_cast<int>(views_.size()) - 1;
   }
@@ -140,6 +156,12 @@ Json describe(const GlbMorph& morph, const Point& centre, double size, Buffer& b
                                  {"primitives", Json::array({primitive})},
                                  {"weights", Json::array({morph.weight})},
                                  {"extras", {{"targetNames", Json::array({"part"})}}}}});
+  const int times = buffer.add(std::vector<float>{0, 2, 4});
+  const int weights = buffer.add(std::vector<float>{0, 1, 0});
+  const Json sampler = {{"input", times}, {"output", weights}, {"interpolation", "LINEAR"}};
+  const Json channel = {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}};
+  gltf["animations"] = Json::array(
+      {{{"name", "morph"}, {"channels", Json::array({channel})}, {"samplers", Json::array({sampler})}}});
   buffer.describe(gltf);
   return gltf;
 }

@@ -19,10 +19,11 @@ struct GlbMorph {
 };
 
 /// Writes a binary glTF 2.0 file: one mesh with the base's shape and one morph target, "part", with positions
-/// and area-weighted normals for both. glTF holds floats: positions are stored relative to the centre of the
-/// shapes' box, which is the node's translation, so that a model far from the origin keeps its shape. Atomic.
-/// Errors: MeshEmpty, FileUnwritable (also: too many vertices for the format's 4 GiB, or a size that floats
-/// cannot hold). Precondition: equally many positions of both, every index below that.
+/// and area-weighted normals for both, and one animation, "morph", whose weight goes from 0 to 1 and back to
+/// 0 in four seconds. glTF holds floats: positions are stored relative to the centre of the shapes' box,
+/// which is the node's translation, so that a model far from the origin keeps its shape. Atomic. Errors:
+/// MeshEmpty, FileUnwritable (also: too many vertices for the format's 4 GiB, or a size that floats cannot
+/// hold). Precondition: equally many positions of both, every index below that.
 [[nodiscard]] Result<void> writeGlb(const std::filesystem::path& path, const GlbMorph& morph);
 
 }  // namespace graftsman

@@ -102,6 +102,23 @@ class EvaluateTest : public QObject {
     QCOMPARE(moved[0].side, std::optional(Side::Base));
   }
 
+  void aPointInAFaceOfAResultIsTheVerySamePointWhenItIsFoundAgain() {
+    const Document document = samples::twoConesOnASphere();
+    Evaluated known;
+    Fusion second = evaluate(document.fusions, 2, known, {}).fusion;
+    const TriangleMesh& mesh = *second.inputs.base;
+    for (Index face = 0; face < mesh.faceCount(); face += 97) {
+      const Result<Fusion> moved =
+          edits::moveCV(second, 3, Side::Base, {-1, face, Eigen::Vector3d(0.1, 0.7, 0.2), {}});
+      QVERIFY(moved);
+      const SurfacePoint& point = moved->inputs.loop[3].base;
+      const SurfacePoint again = attach(mesh, point);
+      QVERIFY(again.face == point.face && again.bary == point.bary);
+      // The weights are found again by division; a sliver loses most.
+      QVERIFY((positionOf(mesh, point) - *point.place).norm() < 1e-9);
+    }
+  }
+
   void aFusionUpstreamWithoutAResultSaysWhy() {
     Document document = samples::twoConesOnASphere();
     document = edits::withFusion(document, edits::openLoop(*find(document.fusions, 1)));
@@ -111,6 +128,7 @@ class EvaluateTest : public QObject {
     QVERIFY(open.results.error->message.find("its loop is open") != std::string::npos);
     QCOMPARE(open.results.error->side, std::optional(Side::Base));
     QVERIFY(!open.results.fused && !open.fusion.inputs.base);
+    QVERIFY2(open.assets.contains(1) && !open.assets.at(1), "it is known that there is none");
   }
 
   void aCancelIsACancelWhereverItComes() {

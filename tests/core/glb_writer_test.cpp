@@ -101,6 +101,35 @@ class GlbWriterTest : public QObject {
     }
   }
 
+  void theWeightIsAnimated() {
+    const auto sphere = shapes::icosphere(1);
+    const std::vector<Point> part = stretched(sphere->points(), {1, 1, 2}, {0, 0, 0});
+    QVERIFY(writeGlb(file(), {sphere->points(), part, sphere->faces()}));
+    const auto [model, trouble] = readBack(file());
+    QVERIFY2(trouble.empty(), trouble.c_str());
+    QCOMPARE(model.animations.size(), std::size_t{1});
+    const tinygltf::Animation& animation = model.animations[0];
+    QCOMPARE(animation.name, std::string("morph"));
+    QCOMPARE(animation.channels.size(), std::size_t{1});
+    QCOMPARE(animation.channels[0].target_path, std::string("weights"));
+    QCOMPARE(animation.channels[0].target_node, 0);
+    QCOMPARE(animation.samplers.size(), std::size_t{1});
+    const tinygltf::AnimationSampler& sampler = animation.samplers[0];
+    QCOMPARE(sampler.interpolation, std::string("LINEAR"));
+    const auto numbers = [&](int accessorNumber) {
+      const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(accessorNumber)];
+      const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
+      std::vector<float> result(accessor.count);
+      std::memcpy(result.data(), model.buffers[0].data.data() + view.byteOffset, view.byteLength);
+      return result;
+    };
+    QVERIFY(numbers(sampler.input) == (std::vector<float>{0, 2, 4}));
+    const tinygltf::Accessor& times = model.accessors[static_cast<std::size_t>(sampler.input)];
+    QVERIFY(times.minValues == std::vector<double>{0} && times.maxValues == std::vector<double>{4});
+    // One weight, that of the one morph target, for each time.
+    QVERIFY(numbers(sampler.output) == (std::vector<float>{0, 1, 0}));
+  }
+
   void theFacesComeBack() {
     const auto grid = shapes::grid(3);
     QVERIFY(writeGlb(file(), {grid->points(), grid->points(), grid->faces()}));

@@ -10,6 +10,7 @@
 #include "core/project/evaluate.h"
 #include "tests/support/stacked.h"
 #include "tests/support/workbench.h"
+#include "widgets/panels/elided_label.h"
 #include "widgets/panels/fusion_tree_panel.h"
 #include "widgets/panels/pairs_model.h"
 
@@ -53,13 +54,8 @@ class FusionsTest : public QObject {
     [[nodiscard]] QAbstractButton* remedy(Side side) const {
       return frame(side)->findChild<QAbstractButton*>("remedy");
     }
-    // All that the frame's labels say.
-    [[nodiscard]] QString text(Side side) const {
-      QStringList texts;
-      for (const auto* label : frame(side)->findChildren<QLabel*>()) {
-        texts.append(label->text() + label->toolTip() + label->accessibleName());
-      }
-      return texts.join('\n');
+    [[nodiscard]] QString title(Side side) const {
+      return frame(side)->findChild<ElidedLabel*>("paneTitle")->text();
     }
     [[nodiscard]] QString pairProblem(int row) const {
       const auto* model = window->findChild<PairsModel*>();
@@ -68,6 +64,10 @@ class FusionsTest : public QObject {
     void name(FusionId id, const QString& name) const {
       raiseTree();
       tree()->editName(id);
+      typeName(id, name);
+    }
+    // Into the editor that is open in the tree.
+    void typeName(FusionId id, const QString& name) const {
       auto* editor = tree()->view()->viewport()->findChild<QLineEdit*>();
       if (!editor) {
         qFatal("no editor of the name");
@@ -75,6 +75,7 @@ class FusionsTest : public QObject {
       editor->selectAll();
       QTest::keyClicks(editor, name);
       QTest::keyClick(editor, Qt::Key_Return);
+      QTRY_COMPARE(QString::fromStdString(find(fusions(), id)->name), name);
     }
   };
 
@@ -116,8 +117,7 @@ class FusionsTest : public QObject {
     QVERIFY(bench.openSample("fig8b_cone_nose"));
     const std::vector<Point> nose = bench.fused();
     bench.action("renameFusion")->trigger();
-    bench.name(1, "Nose");
-    QCOMPARE(bench.fusion().name, std::string("Nose"));
+    bench.typeName(1, "Nose");
 
     // Onto the result; it is the base at once.
     bench.action("fuseOnto")->trigger();
@@ -126,7 +126,7 @@ class FusionsTest : public QObject {
     QCOMPARE(bench.fusion().upstream(Side::Base), 1);
     QVERIFY(bench.settle());
     QVERIFY(bench.fusion().inputs.base && bench.fusion().inputs.base->points() == nose);
-    QVERIFY2(bench.text(Side::Base).contains("Result of “Nose”"), qPrintable(bench.text(Side::Base)));
+    QVERIFY2(bench.title(Side::Base).startsWith("Result of “Nose” · "), qPrintable(bench.title(Side::Base)));
     QVERIFY(bench.window->windowTitle().contains("Fusion 2"));
 
     // A hemisphere on the top of the head.
@@ -382,6 +382,48 @@ class FusionsTest : public QObject {
     take("takeBaseMenu", 1);
     QVERIFY(bench.model().document() == before);
     QVERIFY2(bench.status().contains("is itself made of"), qPrintable(bench.status()));
+  }
+
+  void theContextMenuOfARowActsOnThatFusion() {
+    Bench bench;
+    bench.model().reset(samples::twoConesOnASphere(), 2);
+    QVERIFY(bench.settle());
+    bench.action("newFusion")->trigger();
+    const auto choose = [&](FusionId row, const QString& text) {
+      bench.raiseTree();
+      QTreeView* view = bench.tree()->view();
+      const QPoint at = view->visualRect(bench.tree()->model()->find(row)).center();
+      QContextMenuEvent event(QContextMenuEvent::Mouse, at, view->viewport()->mapToGlobal(at));
+      QApplication::sendEvent(view->viewport(), &event);
+      auto* menu = bench.window->findChild<QMenu*>("fusionsMenu");
+      QVERIFY(menu && menu->isVisible());
+      const QList<QAction*> entries = menu->actions();
+      const auto entry = std::ranges::find(entries, text, &QAction::text);
+      QVERIFY2(entry != entries.end(), qPrintable(text));
+      (*entry)->trigger();
+      menu->close();
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    };
+    choose(2, "Take as the part of “Fusion 3”");
+    QCOMPARE(bench.fusion().upstream(Side::Part), 2);
+    choose(1, "Take as the base of “Fusion 3”");
+    QCOMPARE(bench.fusion().upstream(Side::Base), 1);
+    QVERIFY(bench.settle());
+    QVERIFY(bench.fusion().inputs.part && bench.fusion().inputs.base);
+    choose(1, "Show");
+    QCOMPARE(bench.model().shown(), 1);
+    choose(2, "Remove");
+    QVERIFY(!find(bench.fusions(), 2));
+    QCOMPARE(bench.model().shown(), 1);
+    choose(1, "Fuse onto this result");
+    QCOMPARE(bench.fusion().upstream(Side::Base), 1);
+    QVERIFY(bench.settle());
+    // The last one that goes leaves an empty one.
+    while (bench.fusions().size() > 1 || bench.fusion().base) {
+      bench.action("removeFusion")->trigger();
+    }
+    QVERIFY(!bench.action("removeFusion")->isEnabled());
+    QVERIFY(bench.settle());
   }
 
   void aFusionIsSeenAgainAsItWasLeft() {

@@ -2,6 +2,7 @@
 // README.
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QPalette>
 #include <QScreen>
@@ -11,6 +12,8 @@
 #include "app/workbench/samples.h"
 #include "core/picture/fusion_view.h"
 #include "tests/support/gallery.h"
+#include "tests/support/stacked.h"
+#include "tests/support/workbench.h"
 #include "widgets/viewport/result_pane.h"
 
 using namespace graftsman;
@@ -144,6 +147,30 @@ void takeSamples(const Workbench& bench, const QString& folder) {
   }
 }
 
+// A fusion of a fusion, with a source that has none, and with a CV that moved.
+void takeStacked(const Workbench& bench, Photographer& photographer, const QString& theme) {
+  const auto take = [&](const QString& name) { photographer.take(theme + "-stacked-" + name); };
+  DocumentModel& model = bench.window->model();
+  Document document = edits::renameFusion(samples::fiveStackedFusions(), 1, "Horn");
+  document = edits::renameFusion(document, 2, "Second horn");
+  model.reset(document, 5);
+  bench.window->findChild<QDockWidget*>("fusionsDock")->raise();
+  bench.window->setMode(MainWindow::Mode::Tiles);
+  take("tiles");
+  bench.window->setMode(MainWindow::Mode::Fusion);
+  bench.window->lookAtFirst();
+  take("fusion");
+  model.show(2);
+  Fusion moved = *find(document.fusions, 2);
+  *moved.inputs.loop[3].base.place *= 1.2;
+  model.reset(edits::withFusion(document, moved), 2);
+  bench.window->setMode(MainWindow::Mode::Tiles);
+  take("moved");
+  document = edits::withFusion(document, edits::openLoop(*find(document.fusions, 1)));
+  model.reset(document, 2);
+  take("unfused");
+}
+
 void takeAll(Workbench& bench, Photographer& photographer, const QString& theme) {
   const auto take = [&](const QString& name) { photographer.take(theme + '-' + name); };
   keepVariants(bench);
@@ -171,6 +198,7 @@ void takeAll(Workbench& bench, Photographer& photographer, const QString& theme)
   take("1920x1080");
   bench.window->resize(1280, 800);
   bench.action("undo")->trigger();
+  takeStacked(bench, photographer, theme);
 }
 
 }  // namespace

@@ -36,9 +36,9 @@ inline void nudgeCV(DocumentModel& model, std::mt19937& random) {
   }
 }
 
-/// Makes a random edit of a random fusion, or of the whole document, that is legal, or none. Where it leaves
-/// the fusion without a result, it is mostly undone: the states that are seen have results to compare.
-inline void randomStackedEdit(DocumentModel& model, std::mt19937& random, Evaluated& known) {
+/// Makes a random edit of a random fusion, or of the whole document, that is legal, or none. Returns whether
+/// it took the result from a fusion that had one.
+inline bool randomStackedEdit(DocumentModel& model, std::mt19937& random, Evaluated& known) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   const auto any = [&] { return model.document().fusions[below(model.document().fusions.size())]->id; };
   const bool worked = showResolved(model, any(), known).fused != nullptr;
@@ -85,10 +85,7 @@ inline void randomStackedEdit(DocumentModel& model, std::mt19937& random, Evalua
       }
       break;
   }
-  if (worked && model.history()->index() > before && below(5) > 0 &&
-      !showResolved(model, model.shown(), known).fused) {
-    model.history()->undo();
-  }
+  return worked && model.history()->index() > before && !showResolved(model, model.shown(), known).fused;
 }
 
 }  // namespace graftsman

@@ -205,7 +205,7 @@ class FusionTreeTest : public QObject {
       editor->selectAll();
       QTest::keyClicks(editor, text);
       QTest::keyClick(editor, end);
-      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+      QTRY_VERIFY(!panel.view()->viewport()->findChild<QLineEdit*>());
     };
     type(" Nose ", Qt::Key_Return);
     QCOMPARE(renamed.size(), 1);
