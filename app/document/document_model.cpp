@@ -39,7 +39,7 @@ void DocumentModel::show(FusionId id) {
   }
 }
 
-void DocumentModel::reset(Document document, FusionId shown, const History& past) {
+void DocumentModel::reset(const Document& document, FusionId shown, const History& past) {
   dragged_.reset();
   assets_.clear();
   take(document, shown);

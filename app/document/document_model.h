@@ -64,7 +64,7 @@ class DocumentModel : public QObject {
   void show(FusionId id);
   /// Shows another document, clean, with a history of which it is the present state. `shown`: one of its
   /// fusions.
-  void reset(Document document, FusionId shown, const History& past = {});
+  void reset(const Document& document, FusionId shown, const History& past = {});
   /// A document of one fusion.
   void reset(const Fusion& fusion);
   /// The meshes of results as they were computed last, and the fusion that they were computed for, resolved.

@@ -81,7 +81,7 @@ void ProjectFiles::show(Project project, const QString& path, const QString& nam
   remains_ = std::move(project.remains);
   historySaved_ = !project.history.steps.empty();
   view_.restorePictures(project.document, std::move(project.variantPictures));
-  model_.reset(std::move(project.document), project.shown, project.history);
+  model_.reset(project.document, project.shown, project.history);
   if (unsaved) {
     model_.history()->resetClean();
   }
@@ -145,7 +145,7 @@ void ProjectFiles::forgetHistory() {
   if (!stays) {
     model_.history()->resetClean();
   }
-  Q_EMIT told(tr("%n step(s) of history forgotten.", nullptr, steps));
+  Q_EMIT told(steps == 1 ? tr("Forgot one step of history") : tr("Forgot %1 steps of history").arg(steps));
 }
 
 void ProjectFiles::save(const QString& path, std::function<void()> then) {

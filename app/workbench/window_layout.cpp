@@ -57,7 +57,7 @@ void MainWindow::makePanels() {
   auto* view = new QUndoView(model_->history());
   view->setObjectName("historyView");
   view->setAccessibleName(tr("History"));
-  view->setEmptyLabel(tr("As opened"));
+  view->setEmptyLabel(tr("Beginning"));
   QDockWidget* history = addDock("historyDock", tr("History"), view);
   tabifyDockWidget(adjustmentDock_, stages);
   QDockWidget* fusions = addDock("fusionsDock", tr("Fusions"), outline_->panel());
