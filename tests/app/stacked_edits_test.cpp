@@ -82,7 +82,7 @@ class StackedEditsTest : public QObject {
                                   : what < 17 ? std::min(before + 1, model.history()->count())
                                               : below(model.history()->count() + 1));
       } else {
-        QVERIFY(writeProject(path, {model.document(), model.shown(), {}, {}, {}, {}}, {}));
+        QVERIFY(writeProject(path, {model.document(), model.shown(), {}, {}, {}, {}, {}}, {}));
         Result<LoadedProject> loaded = readProject(path, {});
         QVERIFY(loaded && loaded->damage.empty());
         const Digest saved = at().second;

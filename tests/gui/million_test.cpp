@@ -31,18 +31,18 @@ class Standstill : public QObject {
 Project millionFaces() {
   constexpr Index kSize = 720;
   constexpr Index kRadius = 200;  // a tile of a quarter of a million faces
-  Project project;
-  Document& document = project.document;
-  document = samples::document("fig4c_cone_sphere");
-  document.inputs.base = shapes::torus(kSize, kSize);
-  document.base = std::make_shared<const MeshAsset>(MeshAsset{"ring", "ring.ply", {}, document.inputs.base});
-  for (std::size_t k = 0; k < document.inputs.loop.size(); ++k) {
+  Fusion fusion = samples::fusion("fig4c_cone_sphere");
+  fusion.inputs.base = shapes::torus(kSize, kSize);
+  fusion.base = std::make_shared<const MeshAsset>(MeshAsset{"ring", "ring.ply", {}, fusion.inputs.base});
+  for (std::size_t k = 0; k < fusion.inputs.loop.size(); ++k) {
     const double angle =
-        2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(document.inputs.loop.size());
+        2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(fusion.inputs.loop.size());
     const auto i = static_cast<Index>(kSize / 2 + kRadius * std::cos(angle));
     const auto j = static_cast<Index>(kSize / 2 + kRadius * std::sin(angle));
-    document.inputs.loop[k].base = SurfacePoint::atVertex(i * kSize + j);
+    fusion.inputs.loop[k].base = SurfacePoint::atVertex(i * kSize + j);
   }
+  Project project;
+  project.document = samples::documentOf(fusion);
   return project;
 }
 
@@ -75,7 +75,7 @@ class MillionTest : public QObject {
     }
     qInfo("opened and fused in %lld ms; the longest standstill %lld ms; progress told %d times", opened,
           standstill, announced);
-    QVERIFY(bench.document().inputs.base->faceCount() > 1'000'000);
+    QVERIFY(bench.fusion().inputs.base->faceCount() > 1'000'000);
     QVERIFY(bench.window->fusionPage().shown());
     QVERIFY(announced > 0);
 
@@ -93,7 +93,7 @@ class MillionTest : public QObject {
     // Everything is usable: the edit is undone, and there is the result.
     QTest::keyClick(bench.window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(bench.settle());
-    QVERIFY(bench.window->fusionPage().shown()->inputs.loop == bench.document().inputs.loop);
+    QVERIFY(bench.window->fusionPage().shown()->inputs.loop == bench.fusion().inputs.loop);
     QVERIFY(bench.action("exportResult")->isEnabled());
     qInfo("cancelled and fused again: the longest standstill %lld ms", watch.longest());
   }
