@@ -4,6 +4,7 @@
 
 #include "core/project/project_file.h"
 #include "core/sweep/sweep_file.h"
+#include "tests/support/documents.h"
 #include "tests/support/samples.h"
 
 using namespace graftsman;
@@ -214,14 +215,7 @@ class SweepFileTest : public QObject {
     const fs::path folder = dir.path().toStdString();
     const LoadedScenario scenario = readScenario(samples::scenarioPath("fig4a_cone_sphere"), {}).value();
     Project project;
-    Document& document = project.document;
-    const auto asset = [](const char* name, auto mesh) {
-      return std::make_shared<const MeshAsset>(MeshAsset{name, name, {}, std::move(mesh)});
-    };
-    document.inputs = scenario.scenario.inputs;
-    document.part = asset("cone.stl", document.inputs.part);
-    document.base = asset("sphere.off", document.inputs.base);
-    document.closed = true;
+    project.document = samples::documentOf(samples::fusion("fig4a_cone_sphere"));
     QVERIFY(writeProject(folder / "p.graft", project, {}));
     write(folder / "sweep.json", R"({"fusion": "p.graft", "fcf": ["paste", "half"]})");
     const Result<LoadedSweep> loaded = readSweep(folder / "sweep.json", {});
