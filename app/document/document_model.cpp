@@ -102,7 +102,7 @@ void DocumentModel::setResultAssets(const ResultAssets& assets, const Fusion& co
   }
   if (concerned) {
     // Its CVs were found again already: not twice, and not in the GUI thread.
-    fusion_ = resolve(computed == fusion_ ? computed : std::move(fusion_), assets_);
+    fusion_ = resolve(computed == fusion_ ? computed : fusion_, assets_);
     if (dragged_) {
       dragged_ = resolve(std::move(*dragged_), assets_);
     }

@@ -256,7 +256,7 @@ class FusionTest : public QObject {
     QTest::keyClick(bench.resultPane(), Qt::Key_R);
     auto* view = bench.find<QUndoView>("historyView");
     QCOMPARE(view->model()->rowCount(), 3);
-    QCOMPARE(view->model()->index(0, 0).data().toString(), QString("As opened"));
+    QCOMPARE(view->model()->index(0, 0).data().toString(), QString("Beginning"));
     QCOMPARE(view->model()->index(1, 0).data().toString(), QString("Curve: Half"));
     QCOMPARE(view->model()->index(2, 0).data().toString(), QString("Reverse the loop"));
     view->parentWidget()->raise();
