@@ -144,7 +144,7 @@ void ProjectFiles::forgetHistory() {
   if (!stays) {
     model_.history()->resetClean();
   }
-  Q_EMIT told(tr("%n step(s) of history forgotten.", nullptr, steps));
+  Q_EMIT told(steps == 1 ? tr("Forgot one step of history") : tr("Forgot %1 steps of history").arg(steps));
 }
 
 void ProjectFiles::save(const QString& path, std::function<void()> then) {
