@@ -9,9 +9,9 @@
 namespace graftsman {
 namespace {
 
-constexpr double kMargin = 0.06;         // of the picture, at each edge
-constexpr double kAlong = 1e-6;          // sine below which `up` counts as along the view
-constexpr double kSmallestSize = 1e-12;  // of a lone point's surroundings, as a fraction of its coordinates
+constexpr double kMargin = 0.06;           // of the picture, at each edge
+constexpr double kAlongView = 1e-6;        // sine below which `up` counts as along the view
+constexpr double kSmallestExtent = 1e-12;  // of a lone point's surroundings, as a fraction of its coordinates
 
 ViewFrame frameAlong(const Eigen::Vector3d& into, const Eigen::Vector3d& up) {
   ViewFrame frame;
@@ -20,7 +20,7 @@ ViewFrame frameAlong(const Eigen::Vector3d& into, const Eigen::Vector3d& up) {
     frame.into = Eigen::Vector3d::UnitY();
   }
   frame.right = frame.into.cross(up.stableNormalized());
-  if (!(frame.right.norm() > kAlong)) {
+  if (!(frame.right.norm() > kAlongView)) {
     frame.right = frame.into.unitOrthogonal();
   }
   frame.right.normalize();
@@ -82,7 +82,7 @@ PictureCamera frame(std::span<const Point> points, const ViewDirection& directio
   }
   const Eigen::Array2d middle = (plus - minus) / 2;
   double distance = ((plus + minus) / (2 * tangent.array())).maxCoeff();
-  distance = std::max(distance, kSmallestSize * (1 + centre.norm()));
+  distance = std::max(distance, kSmallestExtent * (1 + centre.norm()));
   PictureCamera camera;
   camera.pivot = centre + middle.x() * axes.right + middle.y() * axes.up;
   camera.position = camera.pivot - distance * axes.into;
@@ -105,7 +105,7 @@ std::vector<PictureCamera> turntable(std::span<const Point> points, const ViewDi
   const Eigen::Vector3d axis = direction.up.stableNormalized();
   std::vector<PictureCamera> cameras;
   std::vector<ViewFrame> views;
-  double distance = kSmallestSize * (1 + centre.norm());
+  double distance = kSmallestExtent * (1 + centre.norm());
   for (int i = 0; i < count; ++i) {
     const Eigen::AngleAxisd turn(2 * std::numbers::pi * i / count, axis);
     views.push_back(viewFrame(ViewDirection{turn * direction.towards, axis}));

@@ -19,7 +19,7 @@ constexpr float kFarthest = 1 << 21;
 constexpr std::int32_t kSmall = 64 << kFraction;
 
 // A corner in the raster.
-struct Place {
+struct PixelPlace {
   std::int32_t x = 0;  // in 1/256 of a sample
   std::int32_t y = 0;
   float nearness = 0;  // 0: nearer than kNearest or behind the camera
@@ -37,9 +37,9 @@ class Rasteriser {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       face_ = static_cast<Index>(f);
       const auto& [a, b, c] = faces[f];
-      const Place& pa = places_[static_cast<std::size_t>(a)];
-      const Place& pb = places_[static_cast<std::size_t>(b)];
-      const Place& pc = places_[static_cast<std::size_t>(c)];
+      const PixelPlace& pa = places_[static_cast<std::size_t>(a)];
+      const PixelPlace& pb = places_[static_cast<std::size_t>(b)];
+      const PixelPlace& pc = places_[static_cast<std::size_t>(c)];
       if (pa.nearness > 0 && pb.nearness > 0 && pc.nearness > 0) {
         drawTriangle(pa, pb, pc);
       } else if (pa.nearness > 0 || pb.nearness > 0 || pc.nearness > 0) {
@@ -49,7 +49,7 @@ class Rasteriser {
   }
 
  private:
-  [[nodiscard]] Place placeOf(const Vector& p) const {
+  [[nodiscard]] PixelPlace placeOf(const Vector& p) const {
     if (!(p.z() >= kNearest)) {
       return {};
     }
@@ -65,7 +65,7 @@ class Rasteriser {
 
   // What remains of a face that reaches behind the plane z = kNearest: three or four corners.
   void drawCutOff(const Face& face) {
-    std::array<Place, 4> kept;
+    std::array<PixelPlace, 4> kept;
     std::size_t count = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto from = static_cast<std::size_t>(face[k]);
@@ -86,7 +86,7 @@ class Rasteriser {
     }
   }
 
-  void drawTriangle(const Place& a, Place b, Place c) {
+  void drawTriangle(const PixelPlace& a, PixelPlace b, PixelPlace c) {
     const auto [lowX, highX] = std::minmax({a.x, b.x, c.x});
     const auto [lowY, highY] = std::minmax({a.y, b.y, c.y});
     // Samples lie at whole places.
@@ -112,7 +112,8 @@ class Rasteriser {
     }
   }
 
-  [[nodiscard]] static std::int64_t doubledArea(const Place& a, const Place& b, const Place& c) {
+  [[nodiscard]] static std::int64_t doubledArea(const PixelPlace& a, const PixelPlace& b,
+                                                const PixelPlace& c) {
     return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
   }
 
@@ -123,7 +124,7 @@ class Rasteriser {
     Integer perX;   // from one sample to the next
     Integer perY;
 
-    Edge(const Place& from, const Place& to, int x, int y) {
+    Edge(const PixelPlace& from, const PixelPlace& to, int x, int y) {
       const Integer dx = to.x - from.x;
       const Integer dy = to.y - from.y;
       value = dx * (static_cast<Integer>(y) * static_cast<Integer>(kOne) - from.y) -
@@ -134,7 +135,8 @@ class Rasteriser {
   };
 
   template <class Integer>
-  void fill(const Place& a, const Place& b, const Place& c, int firstX, int firstY, int lastX, int lastY) {
+  void fill(const PixelPlace& a, const PixelPlace& b, const PixelPlace& c, int firstX, int firstY, int lastX,
+            int lastY) {
     Edge<Integer> ofA(b, c, firstX, firstY);
     Edge<Integer> ofB(c, a, firstX, firstY);
     Edge<Integer> ofC(a, b, firstX, firstY);
@@ -166,7 +168,7 @@ class Rasteriser {
   }
 
   Raster& raster_;
-  std::vector<Place> places_;
+  std::vector<PixelPlace> places_;
   Index face_ = 0;
 };
 

@@ -9,7 +9,7 @@ using fusion_json::Ordered;
 namespace {
 
 // As seen from the sweep's folder where names alone can say that, otherwise its full path.
-std::string relativeName(const std::filesystem::path& file, const std::filesystem::path& folder) {
+std::string nameFrom(const std::filesystem::path& file, const std::filesystem::path& folder) {
   if (folder.empty()) {
     return file.generic_string();
   }
@@ -46,11 +46,11 @@ std::string formatSweep(const SweepFile& file, const std::filesystem::path& path
   const std::filesystem::path folder = path.parent_path();
   const Sweep& sweep = file.sweep;
   Ordered object;
-  object["fusion"] = relativeName(file.fusion, folder);
+  object["fusion"] = nameFrom(file.fusion, folder);
   list(object, "parts", sweep.parts, [&](const SweepPart& part) {
     Ordered entry = {{"name", part.name}};
     if (!part.source.empty()) {
-      entry["m1"] = relativeName(part.source, folder);
+      entry["m1"] = nameFrom(part.source, folder);
       entry["cvp"] = fusion_json::toJson(part.loop);
     }
     return entry;

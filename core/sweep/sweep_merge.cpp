@@ -10,7 +10,7 @@
 namespace graftsman {
 namespace {
 
-std::string shown(const std::filesystem::path& path) {
+std::string shownPath(const std::filesystem::path& path) {
   return printable(path.string(), 400);
 }
 
@@ -46,10 +46,10 @@ Result<std::vector<SweepShare>> sharesIn(const std::filesystem::path& folder) {
     }
   }
   if (error) {
-    return fail(ErrorCode::FileUnreadable, shown(folder) + ": cannot be read: " + error.message());
+    return fail(ErrorCode::FileUnreadable, shownPath(folder) + ": cannot be read: " + error.message());
   }
   if (shares.empty()) {
-    return fail(ErrorCode::FileUnreadable, shown(folder) +
+    return fail(ErrorCode::FileUnreadable, shownPath(folder) +
                                                ": has no table of a share (table-K-of-N.csv). Run the shares "
                                                "with --only K/N into this folder first.");
   }
@@ -58,13 +58,13 @@ Result<std::vector<SweepShare>> sharesIn(const std::filesystem::path& folder) {
   });
   if (shares.front().of != shares.back().of) {
     return fail(ErrorCode::FileMalformed,
-                shown(folder) + ": " + tableName(shares.front()) + " and " + tableName(shares.back()) +
+                shownPath(folder) + ": " + tableName(shares.front()) + " and " + tableName(shares.back()) +
                     " are of different divisions. Remove those that are left over.");
   }
   for (std::size_t i = 0; i < shares.front().of; ++i) {
     if (i >= shares.size() || shares[i].number != i + 1) {
       const std::string missing = std::to_string(i + 1) + "/" + std::to_string(shares.front().of);
-      return fail(ErrorCode::FileUnreadable, shown(folder) + ": share " + missing + " is missing (" +
+      return fail(ErrorCode::FileUnreadable, shownPath(folder) + ": share " + missing + " is missing (" +
                                                  tableName({i + 1, shares.front().of}) +
                                                  "). Run it with --only " + missing + ".");
     }
@@ -90,7 +90,7 @@ Result<void> readTable(const std::filesystem::path& path, const SweepShare& shar
     return fail(std::move(rows.error()));
   }
   const std::string otherwise =
-      shown(path) + ": is no table of a sweep that this version wrote. Run the share again.";
+      shownPath(path) + ": is no table of a sweep that this version wrote. Run the share again.";
   if (rows->empty() || rows->front() != SweepTable::header()) {
     return fail(ErrorCode::FileMalformed, otherwise);
   }
@@ -121,7 +121,7 @@ Result<MergedTables> mergeTables(const std::filesystem::path& folder) {
   std::stable_sort(lines.begin(), lines.end(),
                    [](const Line& a, const Line& b) { return a.number < b.number; });
   const auto refuse = [&](const Line& a, const Line& b, const std::string& why) {
-    return fail(ErrorCode::FileMalformed, shown(folder) + ": " + tableName(a.share) + " and " +
+    return fail(ErrorCode::FileMalformed, shownPath(folder) + ": " + tableName(a.share) + " and " +
                                               tableName(b.share) + " " + why +
                                               ". Run the shares of one sweep again.");
   };

@@ -17,7 +17,7 @@ namespace {
 
 using Keys = std::initializer_list<std::string_view>;
 
-std::string item(const std::string& key, std::size_t i) {
+std::string element(const std::string& key, std::size_t i) {
   return key + "[" + std::to_string(i) + "]";
 }
 
@@ -65,7 +65,7 @@ void eachOf(const json& object, const char* key, const char* entries, Read read)
     malformed(key, std::string("a list of at least one of ") + entries);
   }
   for (std::size_t i = 0; i < list->size(); ++i) {
-    read((*list)[i], item(key, i), i);
+    read((*list)[i], element(key, i), i);
   }
 }
 
@@ -192,7 +192,7 @@ std::optional<SweepPicture> picture(const json& value) {
     }
     Eigen::Vector3d direction;
     for (std::size_t i = 0; i < 3; ++i) {
-      direction[static_cast<Eigen::Index>(i)] = number((*towards)[i], item("picture.towards", i));
+      direction[static_cast<Eigen::Index>(i)] = number((*towards)[i], element("picture.towards", i));
     }
     if (direction.isZero(0)) {
       malformed("picture.towards", kExpected);

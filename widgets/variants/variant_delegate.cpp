@@ -18,11 +18,11 @@ namespace graftsman {
 namespace {
 
 constexpr double kCorner = 6;
-constexpr int kMargin = sizes::kGrid;  // round the picture
+constexpr int kItemMargin = sizes::kGrid;  // round the picture
 constexpr int kStar = 20;
 
 QRect pictureRect(const QRect& item) {
-  return {item.left() + (item.width() - VariantDelegate::kPicture.width()) / 2, item.top() + kMargin,
+  return {item.left() + (item.width() - VariantDelegate::kPicture.width()) / 2, item.top() + kItemMargin,
           VariantDelegate::kPicture.width(), VariantDelegate::kPicture.height()};
 }
 
@@ -119,7 +119,7 @@ void VariantDelegate::setItemWidth(int width) {
 
 QSize VariantDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& /*index*/) const {
   return {itemWidth_,
-          kMargin + kPicture.height() + sizes::kGrid + option.fontMetrics.height() + sizes::kGrid / 2};
+          kItemMargin + kPicture.height() + sizes::kGrid + option.fontMetrics.height() + sizes::kGrid / 2};
 }
 
 void VariantDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -134,8 +134,8 @@ void VariantDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     QColor wash = theme.selected;
     wash.setAlphaF(selected ? 0.16F : 0.06F);
     const QRectF picture = pictureRect(option.rect);
-    painter->fillPath(rounded({picture.left() - kMargin + 1, option.rect.top() + 1.0,
-                               picture.width() + 2 * kMargin - 2, option.rect.height() - 2.0}),
+    painter->fillPath(rounded({picture.left() - kItemMargin + 1, option.rect.top() + 1.0,
+                               picture.width() + 2 * kItemMargin - 2, option.rect.height() - 2.0}),
                       wash);
   }
   paintPicture(*painter, pictureRect(option.rect), option, index);
