@@ -81,7 +81,8 @@ class Obscurance {
     for (int y = 0; y < height_; ++y) {
       for (int x = 0; x < width_; ++x, ++i) {
         if (pixels_[i].depth > 0) {
-          const auto& looks = looks_[static_cast<std::size_t>(y % kPattern * kPattern + x % kPattern)];
+          const auto& looks = looks_[static_cast<std::size_t>(y % kPattern) * kPattern +
+                                     static_cast<std::size_t>(x % kPattern)];
           raw[field_.indexOf(x, y)] =
               opennessAt(field_.points.data() + field_.indexOf(x, y), pixels_[i].normal, looks);
         }

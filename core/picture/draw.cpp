@@ -49,7 +49,7 @@ struct Tones {
     Colour result;
     for (std::size_t k = 0; k < 3; ++k) {
       const float clamped = std::clamp(light[static_cast<Eigen::Index>(k)], 0.0F, 1.0F);
-      result[k] = bytes[static_cast<std::size_t>(clamped * kToneSteps + 0.5F)];
+      result[k] = bytes[static_cast<std::size_t>(std::lround(clamped * kToneSteps))];
     }
     return result;
   }

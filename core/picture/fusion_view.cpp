@@ -125,7 +125,7 @@ std::vector<Point> shownPoints(const FusionResults& results, FusionView view) {
 
 PictureCamera cameraFor(const FusionResults& results, FusionView view, const ViewDirection& direction,
                         double aspect) {
-  const PictureCamera whole = frame(shownPoints(results, FusionView::Whole), direction, aspect);
+  PictureCamera whole = frame(shownPoints(results, FusionView::Whole), direction, aspect);
   if (view == FusionView::Whole) {
     return whole;
   }

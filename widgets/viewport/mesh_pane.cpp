@@ -62,8 +62,8 @@ MeshPane::Content::Content(MeshPane& pane, Side meshSide)
     : side(meshSide),
       loop(*pane.renderer()),
       meshJob([&pane](std::shared_ptr<const ShownMesh> made) { pane.showMesh(std::move(made)); }),
-      tileJob([this, &pane](vtkSmartPointer<vtkPolyData> made) {
-        loop.setTile(std::move(made));
+      tileJob([this, &pane](const vtkSmartPointer<vtkPolyData>& made) {
+        loop.setTile(made);
         pane.renderLater();
       }) {
   mapper->SetScalarVisibility(false);
