@@ -46,6 +46,7 @@ Result<void> checkDifferent(const char* list, const std::vector<std::string>& wo
 template <class List, class Word>
 std::vector<std::string> words(const List& list, Word word) {
   std::vector<std::string> result;
+  result.reserve(list.size());
   for (const auto& entry : list) {
     result.push_back(word(entry));
   }

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "core/base/write_file.h"
 #include "core/io/printable.h"
@@ -64,9 +66,11 @@ Result<std::vector<SweepShare>> sharesIn(const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < shares.front().of; ++i) {
     if (i >= shares.size() || shares[i].number != i + 1) {
       const std::string missing = std::to_string(i + 1) + "/" + std::to_string(shares.front().of);
-      return fail(ErrorCode::FileUnreadable, shownPath(folder) + ": share " + missing + " is missing (" +
-                                                 tableName({i + 1, shares.front().of}) +
-                                                 "). Run it with --only " + missing + ".");
+      std::string message = shownPath(folder);
+      message.append(": share ").append(missing).append(" is missing (");
+      message.append(tableName({i + 1, shares.front().of}));
+      message.append("). Run it with --only ").append(missing).append(".");
+      return fail(ErrorCode::FileUnreadable, std::move(message));
     }
   }
   return shares;

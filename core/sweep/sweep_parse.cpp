@@ -74,7 +74,7 @@ std::string nameOf(const json& object, const std::string& key, const std::string
   if (given == nullptr) {
     return otherwise;
   }
-  const std::string name = string(*given, key + ".name", "a text");
+  std::string name = string(*given, key + ".name", "a text");
   if (name.empty()) {
     malformed(key + ".name", "a text of at least one letter");
   }
@@ -203,7 +203,7 @@ std::optional<SweepPicture> picture(const json& value) {
 }
 
 std::string meshEnding(const json& value) {
-  const std::string ending = value.is_string() ? value.get<std::string>() : "";
+  std::string ending = value.is_string() ? value.get<std::string>() : "";
   if (ending == "none") {
     return {};
   }

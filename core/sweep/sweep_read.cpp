@@ -103,7 +103,7 @@ Error inPart(const SweepPart& part, Error error) {
 // The pairs' numbers become the meshes'.
 Result<void> finish(SweepPart& part, const MeshFile& mesh, const LoadedScenario& fusion) {
   part.mesh = mesh.mesh;
-  const Result<void> ofPart =
+  Result<void> ofPart =
       useMeshNumbers(part.loop, Side::Part, *mesh.mesh, mesh.vertexOfFileVertex, part.source);
   if (!ofPart) {
     return ofPart;

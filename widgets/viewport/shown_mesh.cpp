@@ -25,11 +25,12 @@ constexpr double kVisibleTolerance = 1e-6;  // × diagonal: a point hides not it
 constexpr double kWeightSnap = 1e-6;        // a pick this near to an edge or corner lies on it
 
 vtkSmartPointer<vtkCellArray> triangleCells(const std::vector<Face>& faces) {
+  const auto count = static_cast<vtkIdType>(faces.size());
   vtkNew<vtkTypeInt32Array> corners;
-  corners->SetNumberOfValues(static_cast<vtkIdType>(3 * faces.size()));
+  corners->SetNumberOfValues(3 * count);
   std::memcpy(corners->GetPointer(0), faces.data(), 3 * faces.size() * sizeof(Index));
   vtkNew<vtkTypeInt32Array> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(faces.size() + 1));
+  offsets->SetNumberOfValues(count + 1);
   for (std::size_t f = 0; f <= faces.size(); ++f) {
     offsets->SetValue(static_cast<vtkIdType>(f), static_cast<vtkTypeInt32>(3 * f));
   }
