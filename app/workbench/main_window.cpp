@@ -45,7 +45,7 @@ constexpr int kLayoutVersion = 1;
 constexpr int kQuietMs = 150;
 
 constexpr QSize kFirstSize(1280, 800);
-constexpr int kDockFrame = 7 * sizes::kGrid;  // about a dock's title and the tabs above it
+constexpr int kDockFrame = 9 * sizes::kGrid;  // more than a dock's title and the tabs above it
 
 bool onlyCurveDiffers(Document a, const Document& b) {
   a.inputs.fcf = b.inputs.fcf;
@@ -108,10 +108,7 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
   addDockWidget(Qt::RightDockWidgetArea, dock);
   actions_->menu("docksMenu")->addAction(dock->toggleViewAction());
   // A dock behind another one's tab is not hidden for Qt: Tab would lead out of sight.
-  QSizePolicy policy = content->sizePolicy();
-  policy.setRetainSizeWhenHidden(true);
-  content->setSizePolicy(policy);
-  connect(dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
+  connect(dock, &QDockWidget::visibilityChanged, content, &QWidget::setEnabled);
   return dock;
 }
 
@@ -171,6 +168,9 @@ void MainWindow::connectDocument() {
       adjustment_->showChange(document.inputs.adjustment);
     } else if (change != Change::Drag) {
       adjustment_->setSettings(document.inputs.adjustment);
+    }
+    if (change == Change::Reset) {
+      status_->tell({});
     }
     if (change != Change::Drag) {
       runner_->request(document, StageRunner::Urgency::Edit);
@@ -318,18 +318,37 @@ void MainWindow::setMode(Mode mode) {
 // The pairs belong to Tiles mode, the curve to Fusion mode; the other panels are in both, those that the
 // person closed in neither; none is on the start page.
 void MainWindow::showDocksOf(Mode mode) {
+  for (const QDockWidget* upper : {pairsDock_, curveDock_}) {
+    if (docksShared_ && upper->isVisible() && !upper->isFloating()) {
+      lowerDocks_ = docksHeight() - upper->height();
+    }
+  }
+  docksShared_ = false;
   pairsDock_->setVisible(mode == Mode::Tiles);
   curveDock_->setVisible(mode == Mode::Fusion);
   for (QDockWidget* dock : sharedDocks_) {
     dock->setVisible(mode != Mode::Start && !dock->property(kClosedByPerson).toBool());
   }
-  if (mode != Mode::Start && !laidOut_.contains(mode)) {
-    laidOut_.insert(mode);
-    const int wanted = adjustment_->sizeHint().height() + kDockFrame;
-    const int lower = std::min(wanted, pages_->height() / 2);
-    resizeDocks({mode == Mode::Tiles ? pairsDock_ : curveDock_, adjustmentDock_},
-                {pages_->height() - lower, lower}, Qt::Vertical);
+  shareDocks();
+  QTimer::singleShot(0, this, [this] { docksShared_ = this->mode() != Mode::Start; });
+}
+
+int MainWindow::docksHeight() const {
+  return pages_->height() - style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
+}
+
+// The docks that both modes have keep their height from one mode to the other; at first the adjustment is
+// seen whole.
+void MainWindow::shareDocks() {
+  const bool first = lowerDocks_ == 0;
+  if (mode() == Mode::Start || (first && laidOut_)) {
+    return;
   }
+  const int whole = docksHeight();
+  const int wanted = adjustment_->sizeHint().height() + kDockFrame;
+  const int lower = first ? std::min(wanted, whole * 11 / 20) : lowerDocks_;
+  resizeDocks({mode() == Mode::Tiles ? pairsDock_ : curveDock_, adjustmentDock_}, {whole - lower, lower},
+              Qt::Vertical);
 }
 
 void MainWindow::lookAtFirst() {
@@ -370,9 +389,7 @@ void MainWindow::restoreLayout() {
   if (!restoreGeometry(settings.value(kGeometryKey).toByteArray())) {
     resize(kFirstSize);
   }
-  if (restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion)) {
-    laidOut_ = {Mode::Tiles, Mode::Fusion};
-  }
+  laidOut_ = restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
 }
 
 void MainWindow::saveLayout() const {

@@ -2,7 +2,6 @@
 
 #include <QMainWindow>
 #include <memory>
-#include <set>
 
 #include "app/document/document_model.h"
 #include "app/workbench/project_files.h"
@@ -82,6 +81,8 @@ class MainWindow : public QMainWindow {
   void restoreLayout();
   void saveLayout() const;
   void showDocksOf(Mode mode);
+  void shareDocks();
+  [[nodiscard]] int docksHeight() const;  // of all above each other
   [[nodiscard]] Viewport* currentViewport() const;
 
   // window_actions.cpp
@@ -128,7 +129,9 @@ class MainWindow : public QMainWindow {
   QDockWidget* curveDock_ = nullptr;
   QDockWidget* adjustmentDock_ = nullptr;
   QList<QDockWidget*> sharedDocks_;
-  std::set<Mode> laidOut_;  // whose docks have their sizes; the person may have changed them
+  bool laidOut_ = false;      // as the person left it the last time
+  bool docksShared_ = false;  // the docks of the mode have their heights
+  int lowerDocks_ = 0;        // height of those that both modes have; 0: not known yet
   QAction* lastTool_ = nullptr;
   bool closing_ = false;  // the person has answered what to do with unsaved work
 };

@@ -2,12 +2,18 @@
 // README.
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QPalette>
 #include <QScreen>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 
+#include "app/workbench/project_files.h"
 #include "app/workbench/samples.h"
+#include "tests/support/documents.h"
+#include "tests/support/shapes.h"
 #include "tests/support/workbench.h"
 #include "widgets/viewport/result_pane.h"
 
@@ -49,8 +55,12 @@ class Photographer {
     if (!bench_.settle()) {
       qFatal("the stages do not settle");
     }
-    // What was asked to be drawn is drawn.
+    // What was asked to be drawn is drawn, also where a scroll bar has just gone.
     QTest::qWait(200);
+    for (QWidget* widget : bench_.window->findChildren<QWidget*>()) {
+      widget->update();
+    }
+    QTest::qWait(100);
     const QString path = folder_ + '/' + name + ".png";
     MainWindow* window = bench_.window.get();
     if (!window->screen()->grabWindow(window->winId()).save(path)) {
@@ -96,10 +106,34 @@ void takeSamples(const Workbench& bench, const QString& folder) {
   }
 }
 
+// A base of more than a million faces.
+void takeMillion(Workbench& bench, Photographer& photographer, const QString& theme) {
+  constexpr Index kSize = 720;
+  auto document = samples::document("fig4c_cone_sphere");
+  document.inputs.base = shapes::torus(kSize, kSize);
+  document.base =
+      std::make_shared<const MeshAsset>(MeshAsset{"ring.ply", "ring.ply", {}, document.inputs.base});
+  for (std::size_t k = 0; k < document.inputs.loop.size(); ++k) {
+    const double angle = std::numbers::pi / 4 * static_cast<double>(k);
+    document.inputs.loop[k].base =
+        SurfacePoint::atVertex(static_cast<Index>(180 + 60 * std::cos(angle)) * kSize +
+                               static_cast<Index>(90 + 60 * std::sin(angle)));
+  }
+  bench.window->model().reset(document);
+  bench.window->lookAtFirst();
+  photographer.take(theme + "-million-tiles");
+  bench.window->setMode(MainWindow::Mode::Fusion);
+  photographer.take(theme + "-million");
+}
+
 void takeAll(Workbench& bench, Photographer& photographer, const QString& theme) {
   const auto take = [&](const QString& name) { photographer.take(theme + '-' + name); };
+  bench.window->model().history()->setClean();
+  bench.window->files().startNew();
   bench.window->setMode(MainWindow::Mode::Tiles);
   take("empty");
+  bench.window->setMode(MainWindow::Mode::Fusion);
+  take("empty-fusion");
   open(bench, "fig7_letters_bottle");
   for (int colouring = 0; colouring < 5; ++colouring) {
     bench.window->findChild<QComboBox*>("colouring")->setCurrentIndex(colouring);
@@ -108,8 +142,15 @@ void takeAll(Workbench& bench, Photographer& photographer, const QString& theme)
   bench.window->findChild<QComboBox*>("colouring")->setCurrentIndex(0);
   bench.window->setMode(MainWindow::Mode::Tiles);
   bench.action("reverse")->trigger();
+  bench.window->findChild<QDockWidget*>("stagesDock")->raise();
   take("clockwise");
+  bench.window->setMode(MainWindow::Mode::Fusion);
+  take("failed");
+  bench.window->findChild<QDockWidget*>("historyDock")->raise();
   bench.action("reverse")->trigger();
+  take("history");
+  bench.window->findChild<QDockWidget*>("adjustmentDock")->raise();
+  bench.window->setMode(MainWindow::Mode::Tiles);
   bench.action("openLoop")->trigger();
   bench.clickVertex(Side::Base, 5);
   take("half-made");
@@ -117,6 +158,17 @@ void takeAll(Workbench& bench, Photographer& photographer, const QString& theme)
   take("1920x1080");
   bench.window->resize(1280, 800);
   bench.action("undo")->trigger();
+  takeMillion(bench, photographer, theme);
+}
+
+// Every label a third wider, as in the longest translations.
+void takeLong(Workbench& bench, Photographer& photographer) {
+  const QFont font = QApplication::font();
+  QFont wide = font;
+  wide.setStretch(133);
+  QApplication::setFont(wide);
+  takeForReadme(bench, photographer, "long-");
+  QApplication::setFont(font);
 }
 
 }  // namespace
@@ -138,6 +190,7 @@ int main(int argc, char** argv) {
   Photographer photographer(bench, argv[1]);
   takeForReadme(bench, photographer, "");
   if (what == "--all") {
+    takeLong(bench, photographer);
     takeAll(bench, photographer, "light");
     QApplication::setPalette(darkPalette());
     takeForReadme(bench, photographer, "dark-");
