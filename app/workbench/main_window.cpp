@@ -97,6 +97,9 @@ MainWindow::~MainWindow() {
 void MainWindow::connectDocument() {
   connect(model_, &DocumentModel::changed, this, [this](Change change, const Touched& touched) {
     const Fusion& fusion = model_->fusion();
+    if (change == Change::Reset) {
+      status_->tell({});
+    }
     if (change == Change::History && touched.adjustment) {
       adjustmentDock_->raise();
       adjustment_->showChange(fusion.inputs.adjustment);

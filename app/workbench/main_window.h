@@ -2,7 +2,6 @@
 
 #include <QMainWindow>
 #include <memory>
-#include <set>
 
 #include "app/document/document_model.h"
 #include "app/document/stage_runner.h"
@@ -86,6 +85,8 @@ class MainWindow : public QMainWindow {
   void makeToolBar();
   [[nodiscard]] QDockWidget* addDock(const QString& name, const QString& title, QWidget* content);
   void showDocksOf(Mode mode);
+  void shareDocks(Mode mode);
+  [[nodiscard]] int docksHeight() const;  // of all above each other
   void restoreLayout();
   void saveLayout() const;
 
@@ -141,7 +142,9 @@ class MainWindow : public QMainWindow {
   QDockWidget* curveDock_ = nullptr;
   QDockWidget* adjustmentDock_ = nullptr;
   QList<QDockWidget*> sharedDocks_;
-  std::set<Mode> laidOut_;  // whose docks have their sizes; the person may have changed them
+  bool laidOut_ = false;      // as the person left it the last time
+  bool docksShared_ = false;  // the docks of the mode have their heights
+  int lowerDocks_ = 0;        // height of those that both modes have; 0: not known yet
   QAction* lastTool_ = nullptr;
   bool closing_ = false;  // the person has answered what to do with unsaved work
 };

@@ -126,7 +126,7 @@ QWidget* StartPage::makeSamples() {
 
 QWidget* StartPage::makeSteps() {
   auto* steps =
-      new QLabel(tr("<ol style='margin-left:-24px'>"
+      new QLabel(tr("<ol style='margin-left:-14px'>"
                     "<li>Load a part and a base.</li>"
                     "<li>Click pairs of points round the two regions, counter-clockwise, and close the "
                     "loop.</li>"
@@ -152,7 +152,6 @@ void StartPage::setRecent(const QStringList& paths) {
   }
   if (recent_->count() == 0) {
     auto* none = new QLabel(tr("None yet"));
-    none->setEnabled(false);
     recent_->addWidget(none);
   }
 }

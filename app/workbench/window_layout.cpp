@@ -2,6 +2,8 @@
 #include <QMenu>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QStyle>
+#include <QTimer>
 #include <QToolBar>
 #include <QUndoView>
 #include <algorithm>
@@ -27,7 +29,7 @@ constexpr auto kClosedByPerson = "closedByPerson";
 constexpr int kLayoutVersion = 3;
 
 constexpr QSize kFirstSize(1280, 800);
-constexpr int kDockFrame = 7 * sizes::kGrid;  // about a dock's title and the tabs above it
+constexpr int kDockFrame = 9 * sizes::kGrid;  // more than a dock's title and the tabs above it
 
 }  // namespace
 
@@ -38,10 +40,7 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
   addDockWidget(Qt::RightDockWidgetArea, dock);
   actions_->menu("docksMenu")->addAction(dock->toggleViewAction());
   // A dock behind another one's tab is not hidden for Qt: Tab would lead out of sight.
-  QSizePolicy policy = content->sizePolicy();
-  policy.setRetainSizeWhenHidden(true);
-  content->setSizePolicy(policy);
-  connect(dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
+  connect(dock, &QDockWidget::visibilityChanged, content, &QWidget::setEnabled);
   return dock;
 }
 
@@ -99,18 +98,41 @@ void MainWindow::makeToolBar() {
 // The pairs belong to Tiles mode, the curve to Fusion mode; the other panels are in all modes, those that the
 // person closed in none; none is on the start page.
 void MainWindow::showDocksOf(Mode mode) {
+  for (const QDockWidget* upper : {pairsDock_, curveDock_}) {
+    if (docksShared_ && upper->isVisible() && !upper->isFloating()) {
+      lowerDocks_ = docksHeight() - upper->height();
+    }
+  }
+  docksShared_ = false;
   pairsDock_->setVisible(mode == Mode::Tiles);
   curveDock_->setVisible(mode == Mode::Fusion);
   for (QDockWidget* dock : sharedDocks_) {
     dock->setVisible(mode != Mode::Start && !dock->property(kClosedByPerson).toBool());
   }
-  if ((mode == Mode::Tiles || mode == Mode::Fusion) && !laidOut_.contains(mode)) {
-    laidOut_.insert(mode);
-    const int wanted = adjustment_->sizeHint().height() + kDockFrame;
-    const int lower = std::min(wanted, pages_->height() / 2);
-    resizeDocks({mode == Mode::Tiles ? pairsDock_ : curveDock_, adjustmentDock_},
-                {pages_->height() - lower, lower}, Qt::Vertical);
+  if (mode == Mode::Tiles || mode == Mode::Fusion) {
+    shareDocks(mode);
   }
+  // What is laid out in the next round of the event loop is the person's from then on.
+  QTimer::singleShot(0, this,
+                     [this] { docksShared_ = this->mode() == Mode::Tiles || this->mode() == Mode::Fusion; });
+}
+
+// The docks that both modes have keep their height from one mode to the other; at first the adjustment is
+// seen whole.
+void MainWindow::shareDocks(Mode mode) {
+  const bool first = lowerDocks_ == 0;
+  if (first && laidOut_) {
+    return;
+  }
+  const int whole = docksHeight();
+  const int wanted = adjustment_->sizeHint().height() + kDockFrame;
+  const int lower = first ? std::min(wanted, whole * 11 / 20) : lowerDocks_;
+  resizeDocks({mode == Mode::Tiles ? pairsDock_ : curveDock_, adjustmentDock_}, {whole - lower, lower},
+              Qt::Vertical);
+}
+
+int MainWindow::docksHeight() const {
+  return pages_->height() - style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
 }
 
 void MainWindow::restoreLayout() {
@@ -118,9 +140,7 @@ void MainWindow::restoreLayout() {
   if (!restoreGeometry(settings.value(kGeometryKey).toByteArray())) {
     resize(kFirstSize);
   }
-  if (restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion)) {
-    laidOut_ = {Mode::Tiles, Mode::Fusion};
-  }
+  laidOut_ = restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
 }
 
 void MainWindow::saveLayout() const {

@@ -1,8 +1,11 @@
 #include <QAccessible>
 #include <QDialog>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableWidget>
 
 #include "tests/support/panes.h"
@@ -251,6 +254,32 @@ class ActionsTest : public QObject {
     bench.action("shortcuts")->trigger();
     auto* table = bench.window->findChild<QTableWidget*>("shortcutsTable");
     QVERIFY(table && table->rowCount() > 30);
+  }
+
+  void theDocksKeepTheirHeightsWhenTheModeChanges() {
+    Workbench bench;
+    QVERIFY(bench.openSample("fig4c_cone_sphere"));
+    auto* curve = bench.window->findChild<QWidget*>("curveDock");
+    auto* pairs = bench.window->findChild<QWidget*>("pairsDock");
+    auto* adjustment = bench.window->findChild<QDockWidget*>("adjustmentDock");
+    // At first the adjustment needs no scrolling, and the curve has room.
+    auto* scroll = bench.window->findChild<QScrollArea*>("adjustmentScroll");
+    QTRY_VERIFY(scroll->verticalScrollBar()->maximum() == 0);
+    const int first = curve->height();
+    QVERIFY2(first > 300, qPrintable(QString::number(first)));
+    bench.window->setMode(MainWindow::Mode::Tiles);
+    QTRY_VERIFY2(std::abs(pairs->height() - first) < 8,
+                 qPrintable(QString("%1 %2").arg(pairs->height()).arg(first)));
+    // The person gives the lower docks less.
+    bench.window->resizeDocks({static_cast<QDockWidget*>(pairs), adjustment}, {480, 180}, Qt::Vertical);
+    QCoreApplication::processEvents();
+    const int given = pairs->height();
+    for (const MainWindow::Mode mode :
+         {MainWindow::Mode::Fusion, MainWindow::Mode::Tiles, MainWindow::Mode::Fusion}) {
+      bench.window->setMode(mode);
+      QWidget* upper = mode == MainWindow::Mode::Tiles ? pairs : curve;
+      QTRY_VERIFY2(std::abs(upper->height() - given) < 8, qPrintable(QString::number(upper->height())));
+    }
   }
 
   void theLayoutIsRemembered() {

@@ -195,7 +195,7 @@ void FusionCurvePanel::showCurve() {
 
 void FusionCurvePanel::showIcons() {
   for (std::size_t i = 0; i < kPresets.size(); ++i) {
-    presets_[i]->setIcon(presetIcon(kPresets[i].preset, presets_[i]->palette(), devicePixelRatioF()));
+    presets_[i]->setIcon(presetIcon(kPresets[i].preset, palette(), devicePixelRatioF()));
   }
 }
 

@@ -5,9 +5,10 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
 #include <utility>
@@ -82,7 +83,8 @@ AdjustmentPanel::AdjustmentPanel(QWidget* parent) : QWidget(parent) {
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->setMinimumWidth(content->minimumSizeHint().width());
+  scroll_->setMinimumWidth(content->minimumSizeHint().width() +
+                           scroll_->verticalScrollBar()->sizeHint().width());
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll_);
@@ -139,7 +141,7 @@ QLayout* AdjustmentPanel::numbers() {
   epsilon_->setRange(0, kPercent);
   epsilon_->setDecimals(3);
   epsilon_->setSingleStep(0.05);
-  epsilon_->setSuffix(tr(" % of the loop"));
+  epsilon_->setSuffix(tr(" %"));
   epsilon_->setAccessibleName(tr("ε"));
   epsilon_->setToolTip(
       tr("ε: the steps end when the pairs are this near on average, as part of the loop's diameter"));
@@ -175,8 +177,10 @@ QLayout* AdjustmentPanel::numbers() {
   grid->setVerticalSpacing(sizes::kGrid / 2);
   grid->setColumnStretch(1, 1);
   int row = 0;
-  for (const auto& [text, box] : std::initializer_list<std::pair<QString, QWidget*>>{
-           {tr("&ε"), epsilon_}, {tr("&Falloff n"), falloff_}, {tr("&Iterations up to"), iterations_}}) {
+  for (const auto& [text, box] :
+       std::initializer_list<std::pair<QString, QWidget*>>{{tr("&ε, of the loop"), epsilon_},
+                                                           {tr("&Falloff n"), falloff_},
+                                                           {tr("&Iterations up to"), iterations_}}) {
     auto* label = new QLabel(text);
     label->setBuddy(box);
     grid->addWidget(label, row, 0);
@@ -199,19 +203,15 @@ QLayout* AdjustmentPanel::shownChoice() {
                              tr("Show the part's tile as the adjustment left it, in place")}};
   shown_ = new QButtonGroup(this);
   auto* row = new QHBoxLayout;
-  row->setSpacing(0);
+  row->setSpacing(2 * sizes::kGrid);
   for (const Choice& choice : choices) {
-    auto* button = new QToolButton;
+    auto* button = new QRadioButton(choice.text);
     button->setObjectName(choice.name);
-    button->setText(choice.text);
-    button->setAccessibleName(choice.text);
     button->setToolTip(choice.tip);
-    button->setCheckable(true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     shown_->addButton(button, static_cast<int>(choice.shown));
     row->addWidget(button);
   }
+  row->addStretch(1);
   shown_->button(static_cast<int>(Shown::Result))->setChecked(true);
   connect(shown_, &QButtonGroup::idClicked, this,
           [this](int id) { Q_EMIT shownChanged(static_cast<Shown>(id)); });

@@ -94,6 +94,11 @@ void MeshPane::paintPointed(QPainter& painter, const CameraView& view) {
   } else if (content_->hovered.onSurface()) {
     at = &content_->hovered.at;
   }
+  // Not on a CV that has just been picked there: a hollow one would look full.
+  if (at && !content_->drag &&
+      std::ranges::find(content_->marks.cvs, *at, &CVMark::at) != content_->marks.cvs.end()) {
+    at = nullptr;
+  }
   const auto place = at ? content_->shown->place(*at) : std::nullopt;
   if (place && view.depth(*place) > 0) {
     paintAt(painter, view.project(*place), content_->pictures.dot(content_->byKeyboard), view.ratio);
