@@ -7,6 +7,7 @@
 
 #include "app/workbench/autosave.h"
 #include "tests/support/random_edits.h"
+#include "tests/support/steps.h"
 #include "tests/support/workbench.h"
 
 using namespace graftsman;
@@ -125,20 +126,21 @@ class RecoveryTest : public QObject {
     QTRY_VERIFY(!bench.window->isVisible());
   }
 
-  void fiveHundredRandomEditsInTheWindowUndoAndRedoToEqualStates() {
+  void randomEditsInTheWindowUndoAndRedoToEqualStates() {
+    constexpr int kEdits = steps(500);
     Workbench bench;
     QVERIFY(bench.openSample("fig4c_cone_sphere"));
     DocumentModel& model = bench.window->model();
     std::mt19937 random(500);
     std::vector<Fusion> states = {model.fusion()};
-    while (model.history()->count() < 500) {
+    while (model.history()->count() < kEdits) {
       randomEdit(model, random);
       states.resize(static_cast<std::size_t>(model.history()->index()) + 1, model.fusion());
       if (states.size() % 50 == 0) {
         QVERIFY(bench.settle());
       }
     }
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < steps(200); ++i) {
       const auto to = static_cast<int>(random() % states.size());
       model.history()->setIndex(to);
       QVERIFY(model.fusion() == states[static_cast<std::size_t>(to)]);
