@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/workbench/autosave.h"
+#include "app/workbench/desktop_colours.h"
 #include "app/workbench/fusion_page.h"
 #include "app/workbench/main_window.h"
 #include "widgets/theme/icon.h"
@@ -55,6 +56,10 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("Graftsman");
   QApplication::setApplicationVersion(GRAFTSMAN_VERSION);
   QApplication::setWindowIcon(applicationIcon());
+
+#if QT_VERSION < QT_VERSION_CHECK(6, 5, 0)
+  const DesktopColours desktopColours;
+#endif
 
   QCommandLineParser parser;
   parser.setApplicationDescription("A workbench for mesh fusion.");

@@ -219,6 +219,14 @@ void Actions::fill(QMenuBar* bar) {
   }
 }
 
+QList<QMenu*> Actions::changingMenus() const {
+  QList<QMenu*> menus;
+  for (const char* name : {"recentMenu", "sampleMenu", "docksMenu", "takePartMenu", "takeBaseMenu"}) {
+    menus.append(menu(name));
+  }
+  return menus;
+}
+
 void Actions::refreshIcons() {
   for (QAction* action : std::as_const(inOrder_)) {
     const QString name = action->data().toString();

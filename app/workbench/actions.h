@@ -27,6 +27,10 @@ class Actions : public QObject {
   /// The menu of that object name ("recentMenu", …).
   [[nodiscard]] QMenu* menu(const QString& name) const { return menus_.value(name); }
 
+  /// The submenus whose entries are none of all(): recent projects, samples, panels, results to take. Some
+  /// are filled when they are about to show.
+  [[nodiscard]] QList<QMenu*> changingMenus() const;
+
   /// Loads each icon again, after the palette changed.
   void refreshIcons();
 

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMessageBox>
 #include <QTabWidget>
 #include <QTableWidget>
@@ -63,14 +64,31 @@ ActionFinder::ActionFinder(const Actions& actions, QWidget* parent)
   connect(words_, &QLineEdit::textChanged, this, &ActionFinder::list);
   connect(words_, &QLineEdit::returnPressed, this, &ActionFinder::run);
   connect(found_, &QListWidget::itemActivated, this, &ActionFinder::run);
+  collect();
   list({});
+}
+
+void ActionFinder::collect() {
+  for (QAction* action : actions_.all()) {
+    all_.append({action, plainText(action), action->statusTip()});
+  }
+  for (QMenu* menu : actions_.changingMenus()) {
+    Q_EMIT menu->aboutToShow();  // some are filled only then
+    for (QAction* action : menu->actions()) {
+      all_.append({action, plainText(menu->menuAction()) + QStringLiteral(" ▸ ") + plainText(action), {}});
+    }
+  }
 }
 
 void ActionFinder::list(const QString& words) {
   found_->clear();
   const QStringList wanted = words.split(' ', Qt::SkipEmptyParts);
-  for (QAction* action : actions_.all()) {
-    const QString text = plainText(action) + ' ' + action->statusTip();
+  for (int i = 0; i < all_.size(); ++i) {
+    const Candidate& candidate = all_[i];
+    if (!candidate.action) {
+      continue;
+    }
+    const QString text = candidate.name + ' ' + candidate.tip;
     bool matches = true;
     for (const QString& word : wanted) {
       matches = matches && text.contains(word, Qt::CaseInsensitive);
@@ -78,13 +96,13 @@ void ActionFinder::list(const QString& words) {
     if (!matches) {
       continue;
     }
-    const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-    auto* item = new QListWidgetItem(action->icon(), keys.isEmpty()
-                                                         ? plainText(action)
-                                                         : QString("%1   (%2)").arg(plainText(action), keys));
-    item->setToolTip(action->statusTip());
-    item->setData(Qt::UserRole, action->objectName());
-    if (!action->isEnabled()) {
+    const QString keys = candidate.action->shortcut().toString(QKeySequence::NativeText);
+    auto* item =
+        new QListWidgetItem(candidate.action->icon(),
+                            keys.isEmpty() ? candidate.name : QString("%1   (%2)").arg(candidate.name, keys));
+    item->setToolTip(candidate.tip);
+    item->setData(Qt::UserRole, i);
+    if (!candidate.action->isEnabled()) {
       item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
     }
     found_->addItem(item);
@@ -95,9 +113,11 @@ void ActionFinder::list(const QString& words) {
 void ActionFinder::run() {
   const QListWidgetItem* item = found_->currentItem();
   if (item && (item->flags() & Qt::ItemIsEnabled)) {
-    QAction* action = actions_[item->data(Qt::UserRole).toString()];
+    const QPointer<QAction> action = all_[item->data(Qt::UserRole).toInt()].action;
     accept();
-    action->trigger();
+    if (action) {
+      action->trigger();
+    }
   }
 }
 
@@ -129,7 +149,11 @@ ShortcutsDialog::ShortcutsDialog(const Actions& actions, QWidget* parent) : QDia
   for (const auto& [key, what, tip] : std::initializer_list<std::array<QString, 3>>{
            {tr("Enter"), tr("Close the loop"), tr("In a pane; or pick, where the keyboard's cursor is")},
            {tr("Esc"), tr("Back out"), tr("A drag, a half-made pair, the selection")},
-           {tr("Arrows"), tr("Walk"), tr("Over the mesh's vertices in a pane; move a point of the curve")}}) {
+           {tr("Arrows"), tr("Walk"), tr("Over the mesh's vertices in a pane; move a point of the curve")},
+           {tr("Enter"), tr("Apply"), tr("In Variants mode: the selected variant becomes the present state")},
+           {tr("S"), tr("Star"), tr("In Variants mode: give the selected variants a star, or take it")},
+           {tr("F2"), tr("Rename"), tr("In the list of fusions")},
+           {tr("Del"), tr("Remove"), tr("In Variants mode and in the list of fusions: what is selected")}}) {
     addRow(keys, {key, what, tip});
   }
   keys->resizeColumnsToContents();

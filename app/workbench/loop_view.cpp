@@ -237,4 +237,17 @@ QString remedyText(const Verdict& verdict) {
   return {};
 }
 
+const char* remedyAction(Remedy remedy) {
+  switch (remedy) {
+    case Remedy::ReverseLoop:
+      return "reverse";
+    case Remedy::OpenLoop:
+      return "openLoop";
+    case Remedy::CloseLoop:
+      return "closeLoop";
+    default:
+      return nullptr;
+  }
+}
+
 }  // namespace graftsman

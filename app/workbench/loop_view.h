@@ -46,4 +46,7 @@ struct SideView {
 /// "Reverse the loop", …: the text of the remedy's button; empty for none.
 [[nodiscard]] QString remedyText(const Verdict& verdict);
 
+/// The object name of the action that does the same; null: there is none.
+[[nodiscard]] const char* remedyAction(Remedy remedy);
+
 }  // namespace graftsman

@@ -1,5 +1,6 @@
 #include "app/workbench/tiles_page.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLocale>
@@ -183,7 +184,9 @@ void TilesPage::showLoop() {
     PaneFrame* frame = frames_[index(side)];
     verdicts_[index(side)] = view.verdict;
     if (view.verdict.problem) {
-      frame->setProblem(view.verdict.text, remedyText(view.verdict));
+      const char* name = remedyAction(view.verdict.remedy);
+      const auto* action = name ? window()->findChild<const QAction*>(name) : nullptr;
+      frame->setProblem(view.verdict.text, remedyText(view.verdict), action ? action->toolTip() : QString());
     } else {
       frame->setProblem({}, {});
       frame->setHint(view.verdict.text);

@@ -97,10 +97,11 @@ Result<CombinedTile> overlay(const EmbeddedTile& part, const EmbeddedTile& base,
   placeVertices(part, base, *layers, *trace, numbers, combined);
   numbers.baseOnPart = {};  // of no more use, and the faces want memory
   numbers.partOnBase = {};
-  fillSeamDistances(part.embedding.sides, combined);
   if (auto filled = fillCells(*layers, *trace, numbers, combined, progress.span(0.7, 1)); !filled) {
     return fail(filled.error());
   }
+  *trace = {};  // so does s
+  fillSeamDistances(part.embedding.sides, combined);
   return combined;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -69,6 +70,11 @@ void readSettings(const json& object, FusionInputs& inputs,
                   const std::function<void(const Malformed&)>& complain);
 /// Writes every one of them, and cvp.
 void writeInputs(Ordered& object, const FusionInputs& inputs);
+
+/// A file's name in a text that is saved in `folder`: as seen from there where names alone can say that,
+/// otherwise its full path. Without folder as it is.
+[[nodiscard]] std::string relativeName(const std::filesystem::path& file,
+                                       const std::filesystem::path& folder);
 
 [[nodiscard]] Ordered toJson(const ReadReport& report);
 /// What toJson() wrote; what is absent keeps its default. Throws Malformed.

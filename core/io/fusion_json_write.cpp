@@ -51,6 +51,15 @@ void writeInputs(Ordered& object, const FusionInputs& inputs) {
   object["embedding"] = scenario_keys::wordFor(scenario_keys::kEmbeddingMethods, inputs.embedding.method);
 }
 
+std::string relativeName(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  if (folder.empty()) {
+    return file.generic_string();
+  }
+  const std::filesystem::path relative = file.lexically_relative(folder);
+  std::error_code error;
+  return (relative.empty() ? std::filesystem::absolute(file, error) : relative).generic_string();
+}
+
 Ordered toJson(const ReadReport& report) {
   Ordered object = {{"format", scenario_keys::wordFor(scenario_keys::kMeshFormats, report.format)},
                     {"binary", report.binary}};

@@ -32,7 +32,7 @@ std::vector<Point> loopPoints(const FusionInputs& inputs) {
 }
 
 // Of the polygon (Newell's), outward for a loop that is counter-clockwise; 0: none.
-Eigen::Vector3d normalOf(const std::vector<Point>& polygon) {
+Eigen::Vector3d normalOf(std::span<const Point> polygon) {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     normal += (polygon[i] - polygon[0]).cross(polygon[i + 1] - polygon[0]);
@@ -86,14 +86,18 @@ std::vector<Point> bothShapes(const FusionResults& results) {
 
 }  // namespace
 
-bool guessYUp(const FusionInputs& inputs, bool isObj) {
-  return isObj && std::abs(normalOf(loopPoints(inputs)).y()) <= kAlong;
+bool guessYUp(std::span<const Point> loop, bool isObj) {
+  return isObj && std::abs(normalOf(loop).y()) <= kAlong;
 }
 
-ViewDirection firstDirection(const FusionInputs& inputs, bool yUp) {
+bool guessYUp(const FusionInputs& inputs, bool isObj) {
+  return guessYUp(loopPoints(inputs), isObj);
+}
+
+ViewDirection firstDirection(std::span<const Point> loop, bool yUp) {
   const Eigen::Vector3d up = yUp ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
   Eigen::Vector3d front = yUp ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitY());
-  const Eigen::Vector3d normal = normalOf(loopPoints(inputs));
+  const Eigen::Vector3d normal = normalOf(loop);
   if (std::abs(normal.dot(up)) > kAlong) {
     front = (front + 1.5 * normal).normalized();
   } else if (normal.norm() > 0.5) {
@@ -101,6 +105,10 @@ ViewDirection firstDirection(const FusionInputs& inputs, bool yUp) {
   }
   const Eigen::Vector3d beside = up.cross(front);
   return {(front + kBeside * beside + kAbove * up).normalized(), up};
+}
+
+ViewDirection firstDirection(const FusionInputs& inputs, bool yUp) {
+  return firstDirection(loopPoints(inputs), yUp);
 }
 
 std::vector<Point> shownPoints(const FusionResults& results, FusionView view) {

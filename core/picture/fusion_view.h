@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/fusion/update.h"
 #include "core/picture/picture_camera.h"
 
@@ -9,11 +11,16 @@ namespace graftsman {
 enum class FusionView { Whole, Tile };
 
 /// Whether y is up, rather than z: a guess, as is usual in OBJ files (`isObj`) unless the loop lies on top of
-/// such a mesh, since the front is a loop's usual place.
+/// such a mesh, since the front is a loop's usual place. loop: N×3, the CVs' positions on the mesh; N may be
+/// 0.
+[[nodiscard]] bool guessYUp(std::span<const Point> loop, bool isObj);
+/// The same of a fusion's base.
 [[nodiscard]] bool guessYUp(const FusionInputs& inputs, bool isObj);
 
-/// Where to look at a fusion's base from: at the loop, from a little beside and above; without a loop (of
-/// three points that the base has) from the front.
+/// Where to look at a mesh from: at the loop, from a little beside and above; without a loop (of three points
+/// at least) from the front.
+[[nodiscard]] ViewDirection firstDirection(std::span<const Point> loop, bool yUp);
+/// The same of a fusion's base, without the points that it lacks.
 [[nodiscard]] ViewDirection firstDirection(const FusionInputs& inputs, bool yUp);
 
 /// The camera that has a fusion in view at every setting of its curve: the base and the combined tile in both

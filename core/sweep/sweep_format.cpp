@@ -8,16 +8,6 @@ using fusion_json::Ordered;
 
 namespace {
 
-// As seen from the sweep's folder where names alone can say that, otherwise its full path.
-std::string nameFrom(const std::filesystem::path& file, const std::filesystem::path& folder) {
-  if (folder.empty()) {
-    return file.generic_string();
-  }
-  const std::filesystem::path relative = file.lexically_relative(folder);
-  std::error_code error;
-  return (relative.empty() ? std::filesystem::absolute(file, error) : relative).generic_string();
-}
-
 template <class List, class Write>
 void list(Ordered& object, const char* key, const List& entries, Write write) {
   if (!entries.empty()) {
@@ -46,11 +36,11 @@ std::string formatSweep(const SweepFile& file, const std::filesystem::path& path
   const std::filesystem::path folder = path.parent_path();
   const Sweep& sweep = file.sweep;
   Ordered object;
-  object["fusion"] = nameFrom(file.fusion, folder);
+  object["fusion"] = fusion_json::relativeName(file.fusion, folder);
   list(object, "parts", sweep.parts, [&](const SweepPart& part) {
     Ordered entry = {{"name", part.name}};
     if (!part.source.empty()) {
-      entry["m1"] = nameFrom(part.source, folder);
+      entry["m1"] = fusion_json::relativeName(part.source, folder);
       entry["cvp"] = fusion_json::toJson(part.loop);
     }
     return entry;

@@ -249,6 +249,23 @@ class ActionsTest : public QObject {
     QVERIFY(bench.fusion().inputs.fcf == FCF::preset(FCF::Preset::KeepBaseSlope));
   }
 
+  void whatSubmenusHoldIsFoundToo() {
+    Workbench bench;
+    bench.action("findAction")->trigger();
+    auto* words = bench.window->findChild<QLineEdit*>("actionWords");
+    auto* found = bench.window->findChild<QListWidget*>("actionsFound");
+    QTest::keyClicks(words, "take result part");
+    QCOMPARE(found->count(), 1);  // "There is no other fusion"
+    QVERIFY(!(found->item(0)->flags() & Qt::ItemIsEnabled));
+    words->clear();
+    QTest::keyClicks(words, "open sample penguin");
+    QCOMPARE(found->count(), 1);
+    QTest::keyClick(words, Qt::Key_Return);
+    QTRY_VERIFY(bench.fusion().part);
+    QVERIFY(QString::fromStdString(bench.fusion().part->name).contains("penguin"));
+    QVERIFY(bench.settle());
+  }
+
   void theShortcutsAreListed() {
     Workbench bench;
     bench.action("shortcuts")->trigger();

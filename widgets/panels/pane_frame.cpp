@@ -67,7 +67,7 @@ QWidget* PaneFrame::footer(const QString& role) {
   line_->setObjectName(QStringLiteral("paneLine"));
   remedy_ = new QPushButton(bar);
   remedy_->setObjectName(QStringLiteral("remedy"));
-  remedy_->setToolTip(QStringLiteral("Mend what is wrong on the %1").arg(role.toLower()));
+  plainTip_ = QStringLiteral("Mend what is wrong on the %1").arg(role.toLower());
   remedy_->hide();
   connect(remedy_, &QPushButton::clicked, this, &PaneFrame::remedyClicked);
   auto* row = new QHBoxLayout(bar);
@@ -93,9 +93,10 @@ void PaneFrame::setHint(const QString& hint) {
   line_->setHint(hint);
 }
 
-void PaneFrame::setProblem(const QString& problem, const QString& remedy) {
+void PaneFrame::setProblem(const QString& problem, const QString& remedy, const QString& tip) {
   line_->setProblem(problem);
   remedy_->setText(remedy);
+  remedy_->setToolTip(tip.isEmpty() ? plainTip_ : tip);
   remedy_->setAccessibleName(remedy);
   remedy_->setVisible(!problem.isEmpty() && !remedy.isEmpty());
 }

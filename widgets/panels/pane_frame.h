@@ -29,9 +29,9 @@ class PaneFrame : public QWidget {
   void setRoleColour(const QColor& colour);
   /// A quiet sentence in the footer.
   void setHint(const QString& hint);
-  /// What is wrong, with an icon; `remedy` is the text of the button beside it, empty: none. Empty: nothing
-  /// is wrong, the hint shows again.
-  void setProblem(const QString& problem, const QString& remedy);
+  /// What is wrong, with an icon; `remedy` is the text of the button beside it, empty: none; `tip` the
+  /// button's tooltip. Empty: nothing is wrong, the hint shows again.
+  void setProblem(const QString& problem, const QString& remedy, const QString& tip = {});
   /// A widget at the header's right end (the result's colour box).
   void addHeaderWidget(QWidget* widget);
   /// Whether there is a button that enlarges the pane (at first there is).
@@ -60,6 +60,7 @@ class PaneFrame : public QWidget {
   QToolButton* enlarge_ = nullptr;
   ProblemLine* line_ = nullptr;
   QPushButton* remedy_ = nullptr;
+  QString plainTip_;  // of the remedy that has none of its own
 };
 
 }  // namespace graftsman
