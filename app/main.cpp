@@ -9,6 +9,7 @@
 #include "app/workbench/desktop_colours.h"
 #include "app/workbench/fusion_page.h"
 #include "app/workbench/main_window.h"
+#include "core/base/large_array.h"
 #include "widgets/theme/icon.h"
 
 using namespace graftsman;
@@ -40,6 +41,7 @@ void writePicture(MainWindow& window, const QString& file, const QString& pictur
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepFreedMemory();
   // Debian's VTK finds its OpenGL functions through X11; under Wayland the window is XWayland's.
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
     qputenv("QT_QPA_PLATFORM", "xcb");

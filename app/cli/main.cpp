@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/cli/commands.h"
+#include "core/base/large_array.h"
 #include "core/base/parallel.h"
 
 namespace {
@@ -102,6 +103,7 @@ void addFramesOptions(CLI::App& command, FramesOptions& options, int& threads) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  graftsman::keepFreedMemory();
   CLI::App app(
       "Graftsman's mesh fusion on the command line: cuts a region out of one mesh, attaches it to another.",
       "graftsman-cli");

@@ -1,6 +1,7 @@
 #include "core/base/large_array.h"
 
 #ifdef __linux__
+#include <malloc.h>
 #include <sys/mman.h>
 #endif
 
@@ -19,6 +20,14 @@ void preferLargePages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t
     (void)madvise(reinterpret_cast<void*>(from), to - from,
                   MADV_HUGEPAGE);  // NOLINT(performance-no-int-to-ptr)
   }
+#endif
+}
+
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  constexpr int kMegabyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);
+  mallopt(M_TRIM_THRESHOLD, 64 * kMegabyte);
 #endif
 }
 

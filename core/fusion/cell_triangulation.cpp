@@ -68,8 +68,11 @@ void triangulateQuad(const Cell& cell, std::vector<Face>& out) {
 // The least total cost by dynamic programming over the chords i–j that cut off corners i … j.
 void triangulateByTable(const Cell& cell, std::vector<Face>& out) {
   const std::size_t n = cell.size();
-  std::array<std::array<double, kMostCorners>, kMostCorners> best = {};
+  std::array<std::array<double, kMostCorners>, kMostCorners> best;
   std::array<std::array<std::size_t, kMostCorners>, kMostCorners> middle;
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    best[i][i + 1] = 0;
+  }
   for (std::size_t length = 2; length < n; ++length) {
     for (std::size_t i = 0; i + length < n; ++i) {
       const std::size_t j = i + length;

@@ -28,21 +28,22 @@ Index sectorOf(Index sides, const Point2& uv) {
   return ((sector % sides) + sides) % sides;
 }
 
-double distanceFromSide(double apothem, const Point2& outwards, const Point2& uv) {
-  return std::clamp((apothem - outwards.dot(uv)) / apothem, 0.0, 1.0);
+// s of a point that lies this far from the centre, at right angles to the nearest side.
+double distanceFromSide(double apothem, double along) {
+  return std::clamp((apothem - along) / apothem, 0.0, 1.0);
 }
 
 // seamDistance(), by the sides' outward directions.
 template <class Outward>
 double distanceFromSeam(Index sides, double apothem, const Outward& outwards, const Point2& uv) {
   if (sides > kFewSides) {
-    return distanceFromSide(apothem, outwards(sectorOf(sides, uv)), uv);
+    return distanceFromSide(apothem, outwards(sectorOf(sides, uv)).dot(uv));
   }
-  double s = 1;
+  double along = 0;
   for (Index i = 0; i < sides; ++i) {
-    s = std::min(s, distanceFromSide(apothem, outwards(i), uv));
+    along = std::max(along, outwards(i).dot(uv));
   }
-  return s;
+  return distanceFromSide(apothem, along);
 }
 
 double apothemOf(Index sides) {

@@ -98,9 +98,9 @@ class CellWalker {
         continue;
       }
       Index baseFace = -1;
-      corners_.clear();
+      cornerCount_ = 0;
       for (const Index w : part_.faces[static_cast<std::size_t>(f)]) {
-        corners_.push_back(numbers_.ofPart[static_cast<std::size_t>(w)]);
+        corners_[cornerCount_++] = numbers_.ofPart[static_cast<std::size_t>(w)];
         baseFace = std::max(baseFace, trace_.partInBase[static_cast<std::size_t>(w)]);
       }
       addCell(f, baseFace);
@@ -191,14 +191,14 @@ class CellWalker {
 
   // `start`: a piece of an edge of baseFace.
   bool walkCell(const Piece& start, Index baseFace) {
-    corners_.clear();
+    cornerCount_ = 0;
     Index partFace = -1;
     Piece piece = start;
     do {
-      if (corners_.size() == kMostCorners) {
+      if (cornerCount_ == kMostCorners) {
         return false;
       }
-      corners_.push_back(startVertex(piece));
+      corners_[cornerCount_++] = startVertex(piece);
       if (!piece.ofPart) {
         seenOf(piece) = 1;
       }
@@ -227,24 +227,27 @@ class CellWalker {
     return -1;
   }
 
-  // Adds the cell whose corners are in corners_, neighbours of which may be one vertex.
+  // Adds the cell whose corners are the first of corners_, neighbours of which may be one vertex.
   void addCell(Index partFace, Index baseFace) {
-    std::array<Index, kMostCorners> distinct = {};
     std::size_t count = 0;
-    for (const Index corner : corners_) {
-      if (count == 0 || distinct[count - 1] != corner) {
-        distinct[count++] = corner;
+    for (const Index corner : std::span(corners_).first(cornerCount_)) {
+      if (count == 0 || corners_[count - 1] != corner) {
+        corners_[count++] = corner;
       }
     }
-    while (count > 1 && distinct[count - 1] == distinct[0]) {
+    while (count > 1 && corners_[count - 1] == corners_[0]) {
       --count;
     }
     if (count < 3) {
       return;
     }
-    triangulateCell(std::span(distinct).first(count), combined_.part, combined_.base, out_.faces);
-    out_.partFaces.resize(out_.faces.size(), part_.origins[static_cast<std::size_t>(partFace)]);
-    out_.baseFaces.resize(out_.faces.size(), base_.origins[static_cast<std::size_t>(baseFace)]);
+    triangulateCell(std::span(corners_).first(count), combined_.part, combined_.base, out_.faces);
+    const Index partOrigin = part_.origins[static_cast<std::size_t>(partFace)];
+    const Index baseOrigin = base_.origins[static_cast<std::size_t>(baseFace)];
+    while (out_.partFaces.size() < out_.faces.size()) {
+      out_.partFaces.push_back(partOrigin);
+      out_.baseFaces.push_back(baseOrigin);
+    }
   }
 
   const Layer& part_;
@@ -254,7 +257,8 @@ class CellWalker {
   const CombinedTile& combined_;
   Seen& seen_;
   CellFaces& out_;
-  std::vector<Index> corners_;
+  std::array<Index, kMostCorners> corners_ = {};
+  std::size_t cornerCount_ = 0;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "core/fusion/adjustment.h"
 #include "core/fusion/boundary_lines.h"
 #include "core/fusion/line_field.h"
+#include "tests/benchmarks/benchmark_main.h"
 
 using namespace graftsman;
 
@@ -81,4 +82,4 @@ BENCHMARK_CAPTURE(adjustAll, two, 2)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
-BENCHMARK_MAIN();
+GRAFTSMAN_BENCHMARK_MAIN();

@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/fusion/blend.h"
+#include "tests/benchmarks/benchmark_main.h"
 
 using namespace graftsman;
 
@@ -99,4 +100,4 @@ BENCHMARK(triad)->Name("blend/triad/1M")->Arg(1000000)->Unit(benchmark::kMillise
 BENCHMARK(evaluate)->Name("fcf_evaluate/ours/200k")->Arg(200000)->Unit(benchmark::kMillisecond);
 BENCHMARK(curveDrag)->Name("curve_drag/ours/200k")->Arg(200000)->Unit(benchmark::kMillisecond);
 
-BENCHMARK_MAIN();
+GRAFTSMAN_BENCHMARK_MAIN();

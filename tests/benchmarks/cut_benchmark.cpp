@@ -5,6 +5,7 @@
 #include "core/fusion/cut.h"
 #include "core/fusion/tile.h"
 #include "core/io/mesh_file.h"
+#include "tests/benchmarks/benchmark_main.h"
 #include "tests/support/loops.h"
 #include "tests/support/shapes.h"
 
@@ -70,4 +71,4 @@ BENCHMARK(anchor)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
-BENCHMARK_MAIN();
+GRAFTSMAN_BENCHMARK_MAIN();

@@ -8,6 +8,7 @@
 
 #include "core/fusion/update.h"
 #include "core/io/scenario.h"
+#include "tests/benchmarks/benchmark_main.h"
 #include "tests/support/shapes.h"
 
 namespace {
@@ -90,4 +91,4 @@ BENCHMARK_CAPTURE(tori, tiles50k, 50'000)
 
 }  // namespace
 
-BENCHMARK_MAIN();
+GRAFTSMAN_BENCHMARK_MAIN();

@@ -8,6 +8,7 @@
 #include <Eigen/SparseCholesky>
 #include <map>
 
+#include "core/base/large_array.h"
 #include "core/base/parallel.h"
 #include "core/fusion/embedding.h"
 #include "core/fusion/embedding_boundary.h"
@@ -100,6 +101,7 @@ void eigenLDLT(benchmark::State& state, Index faces) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  graftsman::keepFreedMemory();
   const std::pair<const char*, Index> sizes[] = {{"5k", 5'000}, {"50k", 50'000}, {"500k", 500'000}};
   for (const auto& [name, faces] : sizes) {
     const std::string suffix = std::string("/") + name;

@@ -19,6 +19,7 @@
 #include "core/base/parallel.h"
 #include "core/fusion/update.h"
 #include "core/io/mesh_file.h"
+#include "tests/benchmarks/benchmark_main.h"
 #include "tests/support/shapes.h"
 
 namespace {
@@ -119,4 +120,4 @@ BENCHMARK_CAPTURE(cgalUnion, 500k, 500000)->Name("fusion/cgal_union/500k")->Unit
 
 }  // namespace
 
-BENCHMARK_MAIN();
+GRAFTSMAN_BENCHMARK_MAIN();

@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/large_array.h"
 #include "core/io/mesh_file.h"
 #include "core/io/mesh_parse.h"
 #include "core/io/read_file.h"
@@ -188,6 +189,7 @@ void benchmarkSize(const std::filesystem::path& folder, const Soup& soup, const 
 }  // namespace graftsman
 
 int main(int argc, char** argv) {
+  graftsman::keepFreedMemory();
   benchmark::Initialize(&argc, argv);
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("graftsman_io_benchmark_" + std::to_string(::getpid()));

@@ -11,6 +11,7 @@
 
 #include "core/base/parallel.h"
 #include "core/fusion/update.h"
+#include "tests/benchmarks/benchmark_main.h"
 #include "tests/support/shapes.h"
 #include "widgets/viewport/morph_surface.h"
 
@@ -84,4 +85,4 @@ BENCHMARK(prepare)->Name("morph/prepare")->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
-BENCHMARK_MAIN();
+GRAFTSMAN_BENCHMARK_MAIN();

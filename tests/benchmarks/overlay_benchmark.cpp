@@ -13,6 +13,7 @@
 
 #include "core/base/parallel.h"
 #include "core/fusion/combined_tile.h"
+#include "tests/benchmarks/benchmark_main.h"
 #include "tests/support/embeddings.h"
 
 // The overlay of two embedded tiles against CGAL's overlay of the same two planar subdivisions. The argument
@@ -156,4 +157,4 @@ BENCHMARK(cgalArrangement)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 
-BENCHMARK_MAIN();
+GRAFTSMAN_BENCHMARK_MAIN();

@@ -10,6 +10,7 @@
 #include <map>
 #include <random>
 
+#include "core/base/large_array.h"
 #include "core/base/parallel.h"
 #include "core/fusion/min_heap.h"
 #include "core/fusion/paths.h"
@@ -228,6 +229,7 @@ void loopBenchmark(benchmark::State& state, const std::string& size, bool drag) 
 }  // namespace
 
 int main(int argc, char** argv) {
+  graftsman::keepFreedMemory();
   for (const std::string size : {"5k", "50k", "500k", "1M"}) {
     const auto unit = benchmark::kMillisecond;
     benchmark::RegisterBenchmark(("path/dijkstra/" + size).c_str(), [=](auto& state) {

@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/picture/draw.h"
+#include "tests/benchmarks/benchmark_main.h"
 #include "tests/support/shapes.h"
 
 using namespace graftsman;
@@ -37,4 +38,4 @@ BENCHMARK(drawOurs)->Name("picture/ours/100k/256x192")->Args({256, 192})->Unit(b
 BENCHMARK(drawOurs)->Name("picture/ours/100k/1280x720")->Args({1280, 720})->Unit(benchmark::kMillisecond);
 BENCHMARK(png)->Name("picture/png/256x192")->Unit(benchmark::kMillisecond);
 
-BENCHMARK_MAIN();
+GRAFTSMAN_BENCHMARK_MAIN();
