@@ -24,7 +24,7 @@ VariantsPage::View MainWindow::resultView() const {
 
 void MainWindow::connectVariants() {
   const auto on = [this](const char* name, auto what) {
-    connect((*actions_)[name], &QAction::triggered, variants_, [this, what] { (variants_->*what)(); });
+    connect((*actions_)[name], &QAction::triggered, variants_, what);
   };
   on("keepVariant", &VariantsPage::keep);
   on("applyVariant", qOverload<>(&VariantsPage::apply));

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<FCF::Preset, 4> kPresets = {FCF::Preset::Linear, FCF::Preset::Paste,
                                                  FCF::Preset::KeepBaseSlope, FCF::Preset::Half};
 
-std::string text(double value) {
+std::string decimal(double value) {
   std::array<char, 32> buffer;
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
@@ -30,17 +30,17 @@ std::optional<Error> findFault(const std::vector<FCFPoint>& points) {
     const auto [s, f] = points[i];
     if (!(f >= 0 && f <= 1)) {
       return Error{ErrorCode::CurveOutOfRange,
-                   "f = " + text(f) + " at " + pointName(i) + " is outside 0 to 1; move it inside."};
+                   "f = " + decimal(f) + " at " + pointName(i) + " is outside 0 to 1; move it inside."};
     }
     if (i == 0 ? s != 0 : i + 1 == points.size() && s != 1) {
       return Error{ErrorCode::CurveEndsWrong,
-                   "s = " + text(s) + " at " + pointName(i) + "; its " +
+                   "s = " + decimal(s) + " at " + pointName(i) + "; its " +
                        (i == 0 ? "first point must have s = 0." : "last point must have s = 1.")};
     }
     if (i > 0 && !(s - points[i - 1].s >= FCF::kSmallestStep)) {
       return Error{ErrorCode::CurveNotIncreasing,
-                   "s = " + text(s) + " at " + pointName(i) +
-                       " is not greater than s = " + text(points[i - 1].s) +
+                   "s = " + decimal(s) + " at " + pointName(i) +
+                       " is not greater than s = " + decimal(points[i - 1].s) +
                        " of the point before it; every s must be greater than the " + "one before."};
     }
   }

@@ -11,7 +11,7 @@ namespace {
 // A scenario is typed or saved by a person: a file beyond this is something else, given by mistake.
 constexpr std::uintmax_t kGreatestFile = std::uintmax_t{64} << 20;
 
-std::string shown(const std::filesystem::path& path) {
+std::string pathInMessage(const std::filesystem::path& path) {
   return printable(path.string(), kLongestPathShown);
 }
 
@@ -26,17 +26,18 @@ Result<std::string> readJsonText(const std::filesystem::path& path, const char* 
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) {
-    return fail(ErrorCode::FileUnreadable, shown(path) + ": cannot be read (" + error.message() + ").");
+    return fail(ErrorCode::FileUnreadable,
+                pathInMessage(path) + ": cannot be read (" + error.message() + ").");
   }
   if (size > kGreatestFile) {
     return fail(ErrorCode::ScenarioMalformed,
-                shown(path) + ": too large for a " + what + " (" + std::to_string(size) + " bytes).");
+                pathInMessage(path) + ": too large for a " + what + " (" + std::to_string(size) + " bytes).");
   }
   std::ifstream stream(path, std::ios::binary);
   std::string text(size, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(size));
   if (!stream) {
-    return fail(ErrorCode::FileUnreadable, shown(path) + ": cannot be read.");
+    return fail(ErrorCode::FileUnreadable, pathInMessage(path) + ": cannot be read.");
   }
   return text;
 }
@@ -53,9 +54,9 @@ Result<void> useMeshNumbers(Loop& loop, Side side, const TriangleMesh& mesh, con
       const std::string kind = isVertex ? "vertex" : "face";
       return fail({ErrorCode::LoopIndexOutOfRange,
                    "CV " + std::to_string(i) + " of the " + name(side) + " is " + kind + " " +
-                       std::to_string(number) + ", but " + shown(path) + " has " + std::to_string(count) +
-                       (isVertex ? " vertices" : " faces") + "; give a number from 0 to " +
-                       std::to_string(count - 1) + ".",
+                       std::to_string(number) + ", but " + pathInMessage(path) + " has " +
+                       std::to_string(count) + (isVertex ? " vertices" : " faces") +
+                       "; give a number from 0 to " + std::to_string(count - 1) + ".",
                    side,
                    {static_cast<int>(i)}});
     }

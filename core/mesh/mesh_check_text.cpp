@@ -27,11 +27,11 @@ std::string rounded(const Point& p) {
          rounded(p.z(), kLengthDigits);
 }
 
-std::string text(Index vertex) {
+std::string inWords(Index vertex) {
   return std::to_string(vertex);
 }
 
-std::string text(const std::array<Index, 2>& edge) {
+std::string inWords(const std::array<Index, 2>& edge) {
   return std::to_string(edge[0]) + "-" + std::to_string(edge[1]);
 }
 
@@ -44,7 +44,7 @@ std::string defects(const char* what, const Defects& listed, std::size_t count) 
   std::string line = std::string(what) + ": " + std::to_string(count) + ":";
   for (const auto& defect : listed) {
     line += ' ';
-    line += text(defect);
+    line += inWords(defect);
   }
   return line + (count > listed.size() ? " ...\n" : "\n");
 }

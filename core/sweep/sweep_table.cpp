@@ -8,11 +8,11 @@ namespace {
 
 using sweep_words::number;
 
-std::string text(bool value) {
+std::string cell(bool value) {
   return value ? "true" : "false";
 }
 
-std::string text(const FCF& curve) {
+std::string cell(const FCF& curve) {
   std::string points;
   for (const FCFPoint& point : curve.points()) {
     points += (points.empty() ? "" : ";") + number(point.s) + "," + number(point.f);
@@ -33,10 +33,10 @@ void appendParameters(csv::Row& row, const Sweep& sweep, std::size_t combination
              {nameIn(sweep.parts, choice.part),
               scenario_keys::wordFor(scenario_keys::kEmbeddingMethods, inputs.embedding.method),
               std::to_string(sweep.shifts.empty() ? 0 : sweep.shifts[choice.shift]),
-              nameIn(sweep.adjustments, choice.adjustment), text(adjustment.rigid), text(adjustment.scale),
-              text(adjustment.lineField), text(adjustment.exactFit), number(adjustment.epsilon),
+              nameIn(sweep.adjustments, choice.adjustment), cell(adjustment.rigid), cell(adjustment.scale),
+              cell(adjustment.lineField), cell(adjustment.exactFit), number(adjustment.epsilon),
               std::to_string(adjustment.maxIterations), number(adjustment.falloff),
-              nameIn(sweep.curves, choice.curve), text(inputs.fcf), text(inputs.fcf.monotone())});
+              nameIn(sweep.curves, choice.curve), cell(inputs.fcf), cell(inputs.fcf.monotone())});
 }
 
 void appendMeasures(csv::Row& row, const std::optional<Measures>& measured) {

@@ -43,8 +43,8 @@ struct Quads {
 };
 
 bool isBackground(const Picture& picture, int x, int y) {
-  const Colour& row = draw({}, {}, {}, picture.size).at(0, y);
-  return picture.at(x, y) == row;
+  const Picture empty = draw({}, {}, {}, picture.size);
+  return picture.at(x, y) == empty.at(0, y);
 }
 
 int backgroundPixels(const Picture& picture) {

@@ -218,7 +218,8 @@ class MeshPaneTest : public QObject {
     QCOMPARE(pane.drawn, drawn);
     // A path, another camera, another palette, a picture of another size: drawn.
     LoopMarks marks;
-    const TriangleMesh& mesh = *samples::model("spot.obj");
+    const std::shared_ptr<const TriangleMesh> model = samples::model("spot.obj");
+    const TriangleMesh& mesh = *model;
     marks.paths.push_back({{mesh.point(0), mesh.point(100)}, 0});
     pane.setMarks(marks);
     (void)frame();
