@@ -82,6 +82,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
   connectFiles();
   connectActions();
   connectVariants();
+  makeSuggestions();
   restoreLayout();
   setMode(Mode::Start);
   showTitle();
