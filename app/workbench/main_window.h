@@ -80,6 +80,7 @@ class MainWindow : public QMainWindow {
   void requestRun(StageRunner::Urgency urgency);
   void showOutcome(const std::shared_ptr<const Outcome>& outcome);
   void showBusy();
+  [[nodiscard]] bool canCancel() const;
   void showTitle();
   [[nodiscard]] Viewport* currentViewport() const;
 

@@ -2,7 +2,7 @@
 
 #include <QEvent>
 #include <algorithm>
-#include <exception>
+#include <new>
 #include <utility>
 
 #include "app/document/commands.h"
@@ -18,6 +18,7 @@ namespace graftsman {
 namespace {
 
 constexpr double kAspect = 4.0 / 3;        // of the pictures
+constexpr double kSurroundings = 1.3;      // of what the tile fills, so that what is round it is seen, too
 constexpr int kCameraRestsMs = 300;        // before pictures are drawn from another side
 constexpr std::size_t kPicturesKept = 36;  // that are not shown, for another order
 
@@ -238,15 +239,29 @@ void Suggester::finish(const Fusion& fusion, Search search) {
   showFound();
 }
 
+// Which of all that were tried the fusion is as.
+std::optional<std::size_t> Suggester::candidateOf(const Fusion& fusion) const {
+  if (found_ && found_->fusion.id == fusion.id) {
+    const std::vector<Suggestion>& candidates = found_->suggestions.candidates;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (same(candidates[i].inputs, fusion.inputs)) {
+        return i;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 bool Suggester::covers(const Fusion& fusion) const {
-  return found_ && (sameState(found_->fusion, fusion) ||
-                    std::ranges::any_of(found_->suggestions.candidates, [&](const Suggestion& suggestion) {
-                      return fusion.id == found_->fusion.id && same(suggestion.inputs, fusion.inputs);
-                    }));
+  if (!found_ || sameState(found_->fusion, fusion)) {
+    return found_.has_value();
+  }
+  const std::optional<std::size_t> candidate = candidateOf(fusion);
+  return candidate && (found_->taken.contains(*candidate) ||
+                       std::ranges::find(found_->chosen, *candidate) != found_->chosen.end());
 }
 
 void Suggester::showNone(const QString& reason) {
-  chosen_.clear();
   pictures_->cancel();
   strip_.model()->setRows({});
   strip_.model()->setOutdated(false);
@@ -269,9 +284,9 @@ void Suggester::showFound() {
     return;
   }
   const auto order = static_cast<SuggestionOrder>(strip_.order());
-  chosen_ = choose(suggestions, order);
+  found_->chosen = choose(suggestions, order);
   std::vector<SuggestionRow> rows;
-  for (const std::size_t i : chosen_) {
+  for (const std::size_t i : found_->chosen) {
     const Suggestion& suggestion = suggestions.candidates[i];
     rows.push_back({found_->states[i]->id, differenceText(found_->fusion.inputs, suggestion),
                     measureText(suggestion.measures, order)});
@@ -279,26 +294,25 @@ void Suggester::showFound() {
   strip_.setReason({});
   strip_.model()->setRows(std::move(rows));
   strip_.model()->setOutdated(!covers(model_.committed()));
-  strip_.setSentence(
-      tr("%1 of %2 settings, %3").arg(chosen_.size()).arg(suggestions.tried).arg(orderSentence(order)));
+  strip_.setSentence(tr("%1 of %2 that were tried: %3")
+                         .arg(found_->chosen.size())
+                         .arg(suggestions.tried)
+                         .arg(orderSentence(order)));
   showTaken();
   showPictures();
   requestPictures();
 }
 
-// Which of them the document is as.
 void Suggester::showTaken() {
-  int taken = 0;
-  for (std::size_t i = 0; i < found_->suggestions.candidates.size(); ++i) {
-    if (same(found_->suggestions.candidates[i].inputs, model_.committed().inputs)) {
-      taken = found_->states[i]->id;
-    }
-  }
-  strip_.model()->setTaken(taken);
+  const std::optional<std::size_t> candidate = candidateOf(model_.committed());
+  strip_.model()->setTaken(candidate ? found_->states[*candidate]->id : 0);
 }
 
 void Suggester::showPictures() {
-  for (const std::size_t i : chosen_) {
+  if (!found_) {
+    return;
+  }
+  for (const std::size_t i : found_->chosen) {
     const VariantPictures::Shown shown = pictures_->shown(*found_->states[i]);
     if (!shown.picture.isNull()) {
       strip_.model()->setPicture(found_->states[i]->id, shown.picture);
@@ -312,7 +326,7 @@ void Suggester::requestPictures() {
     return;
   }
   VariantList states;
-  for (const std::size_t i : chosen_) {
+  for (const std::size_t i : found_->chosen) {
     states.insert(states.begin(), found_->states[i]);
   }
   pictures_->request(states, outcome_ ? outcome_->results : nullptr);
@@ -332,8 +346,13 @@ void Suggester::setCamera() {
     return;
   }
   // The tile as the pane sees it, larger: that is where they differ.
-  if (const VariantsPage::View view = view_(); view.results) {
-    pictures_->setCamera(pictureCamera(view.pane, shownPoints(*view.results, FusionView::Tile), kAspect));
+  if (const VariantsPage::View view = view_(); view.results && view.results->combined) {
+    std::vector<Point> tile = view.results->combined->base;
+    const std::vector<Point>& part = view.results->combined->part;
+    tile.insert(tile.end(), part.begin(), part.end());
+    PictureCamera camera = pictureCamera(view.pane, tile, kAspect);
+    camera.viewAngle *= kSurroundings;
+    pictures_->setCamera(camera);
   } else if (outcome_ && outcome_->results) {
     const FusionInputs& inputs = found_->fusion.inputs;
     const ViewDirection direction = firstDirection(inputs, guessYUp(inputs, true));
@@ -349,6 +368,7 @@ void Suggester::take(int id) {
   }
   const Suggestion& suggestion = found_->suggestions.candidates[i];
   const QString difference = differenceText(found_->fusion.inputs, suggestion);
+  found_->taken.insert(i);
   model_.push(std::make_unique<TakeSuggestion>(model_, suggestion.inputs, difference));
   Q_EMIT told(tr("Taken: %1. Ctrl+Z takes it back.").arg(difference));
 }

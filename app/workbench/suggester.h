@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "app/document/document_model.h"
 #include "app/document/stage_runner.h"
@@ -56,8 +57,10 @@ class Suggester : public QObject {
   struct Found {
     Fusion fusion;
     Suggestions suggestions;
-    std::optional<Error> error;  // why there are none
-    VariantList states;          // of each candidate, as pictures want it; id: its number, from 1 on
+    std::optional<Error> error;       // why there are none
+    VariantList states;               // of each candidate, as pictures want it; id: its number, from 1 on
+    std::set<std::size_t> taken;      // those that the person took
+    std::vector<std::size_t> chosen;  // those that are shown, in their order
   };
   struct Search;
 
@@ -67,6 +70,7 @@ class Suggester : public QObject {
   void stopSearch();
   void showNone(const QString& reason);
   [[nodiscard]] bool covers(const Fusion& fusion) const;
+  [[nodiscard]] std::optional<std::size_t> candidateOf(const Fusion& fusion) const;
   void setCamera();
   void showFound();
   void showTaken();
@@ -84,7 +88,6 @@ class Suggester : public QObject {
   QTimer cameraRests_;
   std::shared_ptr<const Outcome> outcome_;  // of the last run
   std::optional<Found> found_;
-  std::vector<std::size_t> chosen_;          // of found_
   std::optional<Fusion> searching_;          // what the search under way is for
   std::optional<Fusion> cancelled_;          // what none is wanted for
   std::shared_ptr<std::atomic<bool>> stop_;  // the search under way

@@ -71,23 +71,22 @@ QString measureText(const Measures& measures, SuggestionOrder order) {
 }
 
 QStringList orderNames() {
-  return {suggested("Mean seam angle"), suggested("Greatest seam angle"),
-          suggested("Distance to the base, least first"), suggested("Distance to the base, greatest first"),
-          suggested("Triangle quality")};
+  return {suggested("Mean seam angle"), suggested("Greatest seam angle"), suggested("Distance, least first"),
+          suggested("Distance, greatest first"), suggested("Triangle quality")};
 }
 
 QString orderSentence(SuggestionOrder order) {
   switch (order) {
     case SuggestionOrder::MeanSeamAngle:
-      return suggested("the smallest mean angle between the surfaces at the seam first");
+      return suggested("smallest mean angle at the seam first");
     case SuggestionOrder::GreatestSeamAngle:
-      return suggested("the smallest greatest angle between the surfaces at the seam first");
+      return suggested("smallest greatest angle at the seam first");
     case SuggestionOrder::LeastDistance:
-      return suggested("the smallest greatest distance to the base's surface first");
+      return suggested("nearest to the base first, where they are farthest");
     case SuggestionOrder::GreatestDistance:
-      return suggested("the greatest distance to the base's surface first");
+      return suggested("farthest from the base first");
     case SuggestionOrder::Quality:
-      return suggested("the best triangles first (1: equilateral; a twentieth are worse)");
+      return suggested("best triangles first, but for the worst twentieth (1: equilateral)");
   }
   return {};
 }

@@ -22,8 +22,8 @@ void MainWindow::makeSuggestions() {
   QAction* action = (*actions_)["suggestions"];
   action->setIconText(tr("Suggest…"));
   fusion_->suggestButton()->setDefaultAction(action);
-  suggestions_->addAction(action);
   connect(action, &QAction::triggered, this, &MainWindow::showSuggestions);
+  connect(suggestions_, &SuggestionStrip::closeWanted, action, &QAction::trigger);
   connect(suggestions_, &SuggestionStrip::left, fusion_->pane(), [this] { fusion_->pane()->setFocus(); });
   connect(suggester_, &Suggester::told, status_, &StatusLine::tell);
   connect(suggester_, &Suggester::busyChanged, this, &MainWindow::enableActions);

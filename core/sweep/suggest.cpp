@@ -101,18 +101,13 @@ std::vector<double> falloffsToTry(double present) {
 }
 
 // None first, then those that fit best.
-std::vector<int> shiftsToTry(const FusionResults& present) {
-  const auto& part = present.part.anchored;
-  const auto& base = present.base.anchored;
-  if (!part || !base) {
-    return {0};
-  }
-  AdjustmentSettings settings = present.inputs.adjustment;
+std::vector<int> shiftsToTry(const AnchoredLoop& part, const AnchoredLoop& base,
+                             AdjustmentSettings settings) {
   settings.lineField = false;
-  const std::size_t n = part->cvs.size();
+  const std::size_t n = part.cvs.size();
   std::vector<Point> baseCvs;
-  for (const Index cv : base->cvs) {
-    baseCvs.push_back(base->mesh->point(cv));
+  for (const Index cv : base.cvs) {
+    baseCvs.push_back(base.mesh->point(cv));
   }
   struct Fit {
     int shift;
@@ -123,7 +118,7 @@ std::vector<int> shiftsToTry(const FusionResults& present) {
   for (std::size_t turned = 0; turned < n; ++turned) {
     std::vector<Point> partCvs(n);
     for (std::size_t i = 0; i < n; ++i) {
-      partCvs[(i + turned) % n] = part->mesh->point(part->cvs[i]);
+      partCvs[(i + turned) % n] = part.mesh->point(part.cvs[i]);
     }
     if (const Result<Adjustment> adjusted = adjust({}, partCvs, baseCvs, settings, {})) {
       const AdjustmentReport& report = adjusted->report;
@@ -149,12 +144,23 @@ std::vector<int> shiftsToTry(const FusionResults& present) {
   return shifts;
 }
 
+Result<std::shared_ptr<const AnchoredLoop>> anchored(const FusionResults& results, Side side) {
+  const auto& known = side == Side::Part ? results.part.anchored : results.base.anchored;
+  if (known) {
+    return known;
+  }
+  const FusionInputs& inputs = results.inputs;
+  return anchorLoop(side == Side::Part ? inputs.part : inputs.base, inputs.loop, side)
+      .map([](AnchoredLoop&& loop) { return std::make_shared<const AnchoredLoop>(std::move(loop)); });
+}
+
 // All that is tried; combination 0 are the present settings.
-Sweep settingsToTry(const FusionResults& present, const std::vector<TriedCurve>& curves) {
+Sweep settingsToTry(const FusionInputs& present, const AnchoredLoop& part, const AnchoredLoop& base,
+                    const std::vector<TriedCurve>& curves) {
   Sweep sweep;
-  sweep.base = present.inputs;
-  sweep.shifts = shiftsToTry(present);
-  const AdjustmentSettings& adjustment = present.inputs.adjustment;
+  sweep.base = present;
+  const AdjustmentSettings& adjustment = present.adjustment;
+  sweep.shifts = shiftsToTry(part, base, adjustment);
   AdjustmentSettings everyStep = adjustment;
   everyStep.rigid = everyStep.scale = everyStep.lineField = everyStep.exactFit = true;
   if (everyStep == adjustment) {
@@ -206,7 +212,12 @@ Result<Suggestions> suggest(const FusionResults& present, const NearestSurface& 
                             const Progress& progress) {
   assert(base.mesh() == present.inputs.base);
   const std::vector<TriedCurve> curves = curvesToTry(present.inputs.fcf);
-  const Sweep sweep = settingsToTry(present, curves);
+  const auto part = anchored(present, Side::Part);
+  const auto baseLoop = anchored(present, Side::Base);
+  if (!part || !baseLoop) {
+    return fail(part ? baseLoop.error() : part.error());
+  }
+  const Sweep sweep = settingsToTry(present.inputs, **part, **baseLoop, curves);
   assert(sweep.count() <= kMostSettingsTried && sweep.count() <= kMostPlacementsTried * curves.size());
 
   Suggestions suggestions;
@@ -218,16 +229,16 @@ Result<Suggestions> suggest(const FusionResults& present, const NearestSurface& 
   double unit = 0;
   std::optional<std::size_t> failedPlacement;
   std::size_t done = 0;
+  const auto count = static_cast<double>(sweep.count());
   for (const std::size_t combination : runOrder(sweep)) {
-    const auto count = static_cast<double>(sweep.count());
-    const Progress part =
+    const Progress step =
         progress.span(static_cast<double>(done) / count, static_cast<double>(done + 1) / count);
     ++done;
     const std::size_t placement = combination / curves.size();
     if (placement == failedPlacement) {
       continue;  // curves cannot mend it
     }
-    previous = update(sweep.inputs(combination), previous, part);
+    previous = update(sweep.inputs(combination), previous, step);
     if (previous.error && previous.error->code == ErrorCode::Cancelled) {
       return fail(*previous.error);
     }
@@ -255,7 +266,7 @@ Result<Suggestions> suggest(const FusionResults& present, const NearestSurface& 
     suggestions.candidates.push_back({previous.inputs, curve.preset, curve.height, sweep.shifts[choice.shift],
                                       changesOf(present.inputs, previous.inputs), measure(previous, base)});
     places.push_back(std::move(there));
-    if (!part.keepGoing(1)) {
+    if (!step.keepGoing(1)) {
       return fail(ErrorCode::Cancelled, "The search for suggestions was cancelled.");
     }
   }

@@ -21,6 +21,7 @@ constexpr int kSuggestionMargin = sizes::kGrid / 2;  // round the picture
 constexpr int kLeastPicture = 112;
 constexpr int kGreatestPicture = 176;
 constexpr double kOutdatedOpacity = 0.45;
+constexpr int kLines = 2;  // of what is different
 
 QPainterPath roundedPath(const QRectF& rect) {
   QPainterPath path;
@@ -38,6 +39,25 @@ QString enlarged(const QImage& picture, const QString& text) {
       .arg(QString::fromLatin1(png.toBase64()), text.toHtmlEscaped().replace('\n', QStringLiteral("<br>")));
 }
 
+// The text in kLines lines, broken between words; what is too long is shortened.
+QStringList linesOf(const QString& text, const QFontMetrics& metrics, int width) {
+  QStringList lines = {QString()};
+  const QStringList words = text.split(' ');
+  for (const QString& word : words) {
+    const QString longer = lines.back().isEmpty() ? word : lines.back() + ' ' + word;
+    const bool fits = metrics.horizontalAdvance(longer) <= width;
+    if (fits || lines.back().isEmpty() || lines.size() == kLines) {
+      lines.back() = longer;
+    } else {
+      lines.append(word);
+    }
+  }
+  for (QString& line : lines) {
+    line = metrics.elidedText(line, Qt::ElideRight, width);
+  }
+  return lines;
+}
+
 }  // namespace
 
 void SuggestionDelegate::fit(int width, int count) {
@@ -52,7 +72,7 @@ void SuggestionDelegate::fit(int width, int count) {
 
 QSize SuggestionDelegate::itemSize(const QFont& font) const {
   return {picture_.width() + 2 * kSuggestionMargin,
-          picture_.height() + 3 * kSuggestionMargin + 2 * QFontMetrics(font).height()};
+          picture_.height() + 3 * kSuggestionMargin + (kLines + 1) * QFontMetrics(font).height()};
 }
 
 QSize SuggestionDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& /*index*/) const {
@@ -105,9 +125,10 @@ void SuggestionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
   painter->setFont(font);
   painter->setPen(option.palette.color(QPalette::Active, QPalette::Text));
   const QString difference = (taken ? QStringLiteral("● ") : QString()) + index.data().toString();
-  painter->drawText(line, Qt::AlignHCenter | Qt::AlignVCenter | Qt::TextSingleLine,
-                    QFontMetrics(font).elidedText(difference, Qt::ElideRight, line.width()));
-  line.translate(0, height);
+  for (const QString& text : linesOf(difference, QFontMetrics(font), line.width())) {
+    painter->drawText(line, Qt::AlignHCenter | Qt::AlignVCenter | Qt::TextSingleLine, text);
+    line.translate(0, height);
+  }
   painter->setFont(option.font);
   const QColor base = option.palette.color(QPalette::Active, QPalette::Base);
   painter->setPen(legible(option.palette.color(QPalette::Active, QPalette::PlaceholderText), base));

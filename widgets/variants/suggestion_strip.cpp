@@ -1,6 +1,5 @@
 #include "widgets/variants/suggestion_strip.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -13,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/panels/elided_label.h"
+#include "widgets/theme/icon.h"
 #include "widgets/theme/theme.h"
 #include "widgets/variants/suggestion_delegate.h"
 #include "widgets/variants/suggestions_model.h"
@@ -56,14 +56,22 @@ QWidget* SuggestionStrip::makeHeader() {
   orders_->setToolTip(tr("The measure by which suggestions are chosen and sorted"));
   auto* by = new QLabel(tr("Sorted by"), bar);
   by->setBuddy(orders_);
+  auto* close = new QToolButton(bar);
+  close->setObjectName(QStringLiteral("suggestionsClose"));
+  close->setAccessibleName(tr("Close the suggestions"));
+  close->setToolTip(tr("Close the suggestions (Ctrl+G)"));
+  close->setIcon(icon(QStringLiteral("cancel")));
+  close->setAutoRaise(true);
 
-  header_ = new QHBoxLayout(bar);
-  header_->setContentsMargins(sizes::kGrid, sizes::kGrid / 2, sizes::kGrid, sizes::kGrid / 2);
-  header_->setSpacing(sizes::kGrid);
-  header_->addWidget(title);
-  header_->addWidget(sentence_, 1);
-  header_->addWidget(by);
-  header_->addWidget(orders_);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(sizes::kGrid, sizes::kGrid / 2, sizes::kGrid, sizes::kGrid / 2);
+  row->setSpacing(sizes::kGrid);
+  row->addWidget(title);
+  row->addWidget(sentence_, 1);
+  row->addWidget(by);
+  row->addWidget(orders_);
+  row->addWidget(close);
+  connect(close, &QToolButton::clicked, this, &SuggestionStrip::closeWanted);
   connect(orders_, &QComboBox::currentIndexChanged, this, &SuggestionStrip::orderChosen);
   return bar;
 }
@@ -127,16 +135,6 @@ void SuggestionStrip::setSentence(const QString& sentence) {
 void SuggestionStrip::setReason(const QString& reason) {
   reason_->setText(reason);
   reason_->setVisible(!reason.isEmpty());
-}
-
-void SuggestionStrip::addAction(QAction* action) {
-  auto* button = new QToolButton(this);
-  button->setObjectName(action->objectName() + QStringLiteral("StripButton"));
-  button->setDefaultAction(action);
-  button->setAccessibleName(action->toolTip());
-  button->setAutoRaise(true);
-  button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-  header_->addWidget(button);
 }
 
 bool SuggestionStrip::eventFilter(QObject* watched, QEvent* event) {

@@ -2,9 +2,7 @@
 
 #include <QWidget>
 
-class QAction;
 class QComboBox;
-class QHBoxLayout;
 class QLabel;
 class QListView;
 class QModelIndex;
@@ -33,12 +31,11 @@ class SuggestionStrip : public QWidget {
   void setSentence(const QString& sentence);
   /// Why there is none: instead of the pictures. Empty: the pictures.
   void setReason(const QString& reason);
-  /// A button at the right end of the header.
-  void addAction(QAction* action);
 
  Q_SIGNALS:
   void takeWanted(int id);
   void orderChosen(int order);
+  void closeWanted();
   /// Esc.
   void left();
   /// The palette changed.
@@ -57,7 +54,6 @@ class SuggestionStrip : public QWidget {
   SuggestionsModel* model_;
   QListView* view_;
   SuggestionDelegate* delegate_;
-  QHBoxLayout* header_ = nullptr;
   ElidedLabel* sentence_ = nullptr;
   QComboBox* orders_ = nullptr;
   QLabel* reason_ = nullptr;
