@@ -21,7 +21,7 @@ QString degrees(double radians) {
 
 QString curveText(const FCF& before, const Suggestion& suggestion) {
   const FCF& after = suggestion.inputs.fcf;
-  const QString monotone = after.monotone() ? suggested("monotone") : suggested("not monotone");
+  QString monotone = after.monotone() ? suggested("monotone") : suggested("not monotone");
   if (after.points() == before.points()) {
     return monotone;
   }

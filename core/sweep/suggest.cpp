@@ -144,7 +144,7 @@ std::vector<int> shiftsToTry(const AnchoredLoop& part, const AnchoredLoop& base,
   return shifts;
 }
 
-Result<std::shared_ptr<const AnchoredLoop>> anchored(const FusionResults& results, Side side) {
+Result<std::shared_ptr<const AnchoredLoop>> anchoredSide(const FusionResults& results, Side side) {
   const auto& known = side == Side::Part ? results.part.anchored : results.base.anchored;
   if (known) {
     return known;
@@ -212,8 +212,8 @@ Result<Suggestions> suggest(const FusionResults& present, const NearestSurface& 
                             const Progress& progress) {
   assert(base.mesh() == present.inputs.base);
   const std::vector<TriedCurve> curves = curvesToTry(present.inputs.fcf);
-  const auto part = anchored(present, Side::Part);
-  const auto baseLoop = anchored(present, Side::Base);
+  const auto part = anchoredSide(present, Side::Part);
+  const auto baseLoop = anchoredSide(present, Side::Base);
   if (!part || !baseLoop) {
     return fail(part ? baseLoop.error() : part.error());
   }

@@ -54,7 +54,7 @@ class StackedEditsTest : public QObject {
         Result<LoadedProject> loaded = readProject(path, {});
         QVERIFY(loaded && loaded->damage.empty());
         const Digest saved = at().second;
-        model.reset(std::move(loaded->project.document), loaded->project.shown);
+        model.reset(loaded->project.document, loaded->project.shown);
         states = {{model.document(), saved}};
         ++reopened;
       }

@@ -139,7 +139,8 @@ void openSuggestions(const Workbench& bench) {
         return false;
       }
     }
-    return rows.rowCount() > 0 && !bench.window->suggester().busy() && bench.settle();
+    return rows.rowCount() > 0 && !strip->model()->outdated() && !bench.window->suggester().busy() &&
+           bench.settle();
   };
   auto* order = bench.window->findChild<QComboBox*>("suggestionsOrder");
   order->setCurrentIndex(static_cast<int>(SuggestionOrder::GreatestDistance));

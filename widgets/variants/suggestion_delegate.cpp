@@ -30,7 +30,7 @@ QPainterPath roundedPath(const QRectF& rect) {
 }
 
 // The picture and what it is, as rich text.
-QString enlarged(const QImage& picture, const QString& text) {
+QString pictureWithText(const QImage& picture, const QString& text) {
   QByteArray png;
   QBuffer buffer(&png);
   buffer.open(QIODevice::WriteOnly);
@@ -145,7 +145,7 @@ bool SuggestionDelegate::helpEvent(QHelpEvent* event, QAbstractItemView* view,
   if (event->type() != QEvent::ToolTip || picture.isNull()) {
     return QStyledItemDelegate::helpEvent(event, view, option, index);
   }
-  QToolTip::showText(event->globalPos(), enlarged(picture, index.data(Qt::ToolTipRole).toString()),
+  QToolTip::showText(event->globalPos(), pictureWithText(picture, index.data(Qt::ToolTipRole).toString()),
                      view->viewport(), option.rect);
   return true;
 }
