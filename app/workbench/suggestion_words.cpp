@@ -48,7 +48,8 @@ QString differenceText(const FusionInputs& before, const Suggestion& suggestion)
     parts.append(suggested("falloff %1").arg(QLocale().toString(after.adjustment.falloff)));
   }
   if (suggestion.shift != 0) {
-    parts.append(suggested("shifted by %1").arg(suggestion.shift));
+    parts.append(
+        suggested("shifted by %1").arg(QString::number(suggestion.shift).replace('-', QChar(0x2212))));
   }
   const QString text = parts.join(QStringLiteral(", "));
   return text.left(1).toUpper() + text.mid(1);
