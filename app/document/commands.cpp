@@ -59,6 +59,14 @@ Fusion withAdjustment(const DocumentModel& model, const AdjustmentSettings& sett
   return fusion;
 }
 
+Fusion withSuggestion(const DocumentModel& model, const FusionInputs& inputs) {
+  Fusion fusion = model.committed();
+  fusion.inputs.fcf = inputs.fcf;
+  fusion.inputs.adjustment = inputs.adjustment;
+  fusion.inputs.loop = inputs.loop;
+  return fusion;
+}
+
 AdjustmentSettings everyStepOn(AdjustmentSettings settings) {
   settings.rigid = settings.scale = settings.lineField = true;
   return settings;
@@ -210,6 +218,10 @@ SetAdjustment::SetAdjustment(DocumentModel& model, const AdjustmentSettings& set
 RunAdjustment::RunAdjustment(DocumentModel& model)
     : EditCommand(model, withAdjustment(model, everyStepOn(model.committed().inputs.adjustment)),
                   tr("Run the adjustment"), adjustment()) {}
+
+TakeSuggestion::TakeSuggestion(DocumentModel& model, const FusionInputs& inputs, const QString& difference)
+    : EditCommand(model, withSuggestion(model, inputs), tr("Take suggestion: %1").arg(difference),
+                  model.committed().inputs.adjustment == inputs.adjustment ? Touched() : adjustment()) {}
 
 QString label(FCF::Preset preset) {
   switch (preset) {

@@ -166,6 +166,12 @@ class RunAdjustment : public EditCommand {
   explicit RunAdjustment(DocumentModel& model);
 };
 
+/// The curve, adjustment and correspondence of `inputs` together; `difference` says what is new of them.
+class TakeSuggestion : public EditCommand {
+ public:
+  TakeSuggestion(DocumentModel& model, const FusionInputs& inputs, const QString& difference);
+};
+
 /// "Linear", "Paste", …: a preset's name in the window.
 [[nodiscard]] QString label(FCF::Preset preset);
 

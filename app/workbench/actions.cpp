@@ -109,6 +109,8 @@ constexpr Entry kEntries[] = {
      TEXT("Leaves the base's surface smoothly")},
     {"fusionMenu", "half", TEXT("Curve: &Half"), "", "Shift+4", TEXT("Half of each shape everywhere")},
     {"fusionMenu", ""},
+    {"fusionMenu", "suggestions", TEXT("Su&ggestions"), "suggest", "Ctrl+G",
+     TEXT("Small results of other settings, to take one by a click"), "-"},
     {"fusionMenu", "runAdjustment", TEXT("Run the ad&justment"), "run", "F5",
      TEXT("Bring the part to the base by all steps")},
     {"fusionMenu", "paperPaths", TEXT("Paths as in the pa&per"), "", "",

@@ -21,14 +21,16 @@ FusionPage::FusionPage(DocumentModel& model, QWidget* parent)
       pane_(new ResultPane),
       frame_(new PaneFrame(tr("Result"), {}, pane_, this)),
       colours_(new QComboBox),
-      seam_(new QToolButton) {
+      seam_(new QToolButton),
+      suggest_(new QToolButton) {
   setObjectName("fusionPage");
   pane_->setObjectName("resultPane");
   pane_->setAccessibleName(tr("Result"));
   frame_->setObjectName("resultFrame");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(frame_);
+  layout->setSpacing(0);
+  layout->addWidget(frame_, 1);
 
   colours_->setObjectName("colouring");
   colours_->setAccessibleName(tr("Colour by"));
@@ -41,6 +43,10 @@ FusionPage::FusionPage(DocumentModel& model, QWidget* parent)
   seam_->setObjectName("seam");
   seam_->setAutoRaise(true);
   frame_->addHeaderWidget(seam_);
+  suggest_->setObjectName("suggest");
+  suggest_->setAutoRaise(true);
+  suggest_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  frame_->addHeaderWidget(suggest_);
 
   connect(pane_, &Viewport::contextMenuWanted, this, &FusionPage::contextMenuWanted);
   connect(frame_, &PaneFrame::remedyClicked, this, &FusionPage::tilesWanted);
@@ -65,6 +71,10 @@ void FusionPage::setOutcome(const std::shared_ptr<const Outcome>& outcome) {
 
 void FusionPage::setBusy(std::optional<double> progress) {
   pane_->setBusy(progress);
+}
+
+void FusionPage::addBelow(QWidget* widget) {
+  layout()->addWidget(widget);
 }
 
 void FusionPage::setColouring(int colouring) {

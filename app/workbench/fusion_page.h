@@ -34,11 +34,14 @@ class FusionPage : public QWidget {
   [[nodiscard]] const std::shared_ptr<const FusionResults>& shownResults() const { return shown_; }
   void setOutcome(const std::shared_ptr<const Outcome>& outcome);
   void setBusy(std::optional<double> progress);
+  /// A widget under the result.
+  void addBelow(QWidget* widget);
 
   void setColouring(int colouring);
   void setPartInPlace(AdjustmentPanel::Shown shown);
   [[nodiscard]] QToolButton* seamButton() const { return seam_; }
   [[nodiscard]] QComboBox* colourBox() const { return colours_; }
+  [[nodiscard]] QToolButton* suggestButton() const { return suggest_; }
 
  Q_SIGNALS:
   void contextMenuWanted(const QPoint& globalPosition);
@@ -55,6 +58,7 @@ class FusionPage : public QWidget {
   PaneFrame* frame_ = nullptr;
   QComboBox* colours_ = nullptr;
   QToolButton* seam_ = nullptr;
+  QToolButton* suggest_ = nullptr;
   std::shared_ptr<const FusionResults> shown_;
   FusionId seen_ = 0;                   // the fusion that the camera was last set for
   std::map<FusionId, Camera> cameras_;  // of fusions that were shown before

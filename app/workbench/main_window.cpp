@@ -82,6 +82,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
   connectFiles();
   connectActions();
   connectVariants();
+  makeSuggestions();
   restoreLayout();
   setMode(Mode::Start);
   showTitle();
@@ -152,7 +153,7 @@ void MainWindow::requestRun(StageRunner::Urgency urgency) {
 void MainWindow::showBusy() {
   const bool busy = runner_->busy();
   tiles_->setProperty("busy", busy);
-  (*actions_)["cancel"]->setEnabled(busy || jobs_->busy());
+  (*actions_)["cancel"]->setEnabled(canCancel());
   if (busy) {
     tiles_->setBusy(0);
     fusion_->setBusy(0);

@@ -26,6 +26,8 @@ class PairsPanel;
 class StagesPanel;
 class StartPage;
 class StatusLine;
+class SuggestionStrip;
+class Suggester;
 class TilesPage;
 class Viewport;
 
@@ -50,6 +52,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] const Actions& actions() const { return *actions_; }
   [[nodiscard]] FusionPage& fusionPage() const { return *fusion_; }
   [[nodiscard]] VariantsPage& variantsPage() const { return *variants_; }
+  [[nodiscard]] Suggester& suggester() const { return *suggester_; }
 
   /// Opens a project or a scenario, or a mesh as the side that is still missing.
   void openFile(const QString& path);
@@ -77,6 +80,7 @@ class MainWindow : public QMainWindow {
   void requestRun(StageRunner::Urgency urgency);
   void showOutcome(const std::shared_ptr<const Outcome>& outcome);
   void showBusy();
+  [[nodiscard]] bool canCancel() const;
   void showTitle();
   [[nodiscard]] Viewport* currentViewport() const;
 
@@ -102,6 +106,10 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] VariantsPage::View resultView() const;
   void connectVariants();
   void enableVariants();
+
+  // window_suggestions.cpp
+  void makeSuggestions();
+  void showSuggestions(bool shown);
 
   // window_files.cpp
   [[nodiscard]] ProjectView projectView();
@@ -138,6 +146,8 @@ class MainWindow : public QMainWindow {
   StagesPanel* stages_;
   FusionOutline* outline_;
   StatusLine* status_;
+  SuggestionStrip* suggestions_ = nullptr;
+  Suggester* suggester_ = nullptr;
   QDockWidget* pairsDock_ = nullptr;
   QDockWidget* curveDock_ = nullptr;
   QDockWidget* adjustmentDock_ = nullptr;

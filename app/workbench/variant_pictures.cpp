@@ -15,8 +15,6 @@ namespace {
 
 // Twice the size that the gallery shows, for screens with small pixels.
 constexpr PictureSize kSize{384, 288};
-// Pictures that no variant has any more, kept for undo.
-constexpr std::size_t kKeptForUndo = 200;
 // Of the picture, at each edge.
 constexpr double kMargin = 0.06;
 
@@ -81,7 +79,8 @@ PictureCamera pictureCamera(const CameraView& view, std::span<const Point> point
   return camera;
 }
 
-VariantPictures::VariantPictures(QObject* parent) : QObject(parent), worker_([this] { work(); }) {}
+VariantPictures::VariantPictures(QObject* parent, std::size_t kept)
+    : QObject(parent), kept_(kept), worker_([this] { work(); }) {}
 
 VariantPictures::~VariantPictures() {
   {
@@ -198,7 +197,7 @@ void VariantPictures::restoreLook(const std::optional<PictureCamera>& camera, bo
 
 // Pictures that no variant has stay for undo, unless they are many.
 void VariantPictures::prune(const VariantList& variants) {
-  if (entries_.size() <= variants.size() + kKeptForUndo) {
+  if (entries_.size() <= variants.size() + kept_) {
     return;
   }
   std::set<Key> used;

@@ -30,7 +30,8 @@ class VariantPictures : public QObject {
   Q_OBJECT
 
  public:
-  explicit VariantPictures(QObject* parent = nullptr);
+  /// `kept`: how many pictures that no variant has any more are kept, for undo.
+  explicit VariantPictures(QObject* parent = nullptr, std::size_t kept = 200);
   ~VariantPictures() override;
 
   struct Shown {
@@ -96,6 +97,7 @@ class VariantPictures : public QObject {
   void deliver();
   void setMissing(int missing);
 
+  std::size_t kept_;
   std::map<Key, Entry> entries_;
   std::optional<PictureCamera> camera_;
   bool dark_ = false;

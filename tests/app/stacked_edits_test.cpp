@@ -1,45 +1,12 @@
-#include <QCryptographicHash>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include "core/project/project_file.h"
+#include "tests/support/document_digest.h"
 #include "tests/support/stacked.h"
 #include "tests/support/stacked_edits.h"
 
 using namespace graftsman;
-
-namespace {
-
-// What every fusion of a document comes to: of a result its bits, of none why.
-using Digest = std::map<FusionId, QByteArray>;
-
-Digest digestOf(const Document& document, Evaluated& known) {
-  Digest digest;
-  for (const auto& fusion : document.fusions) {
-    const FusionResults results = evaluate(document.fusions, fusion->id, known, {}).results;
-    QCryptographicHash hash(QCryptographicHash::Sha1);
-    const auto add = [&hash](const auto& values) {
-      hash.addData(QByteArray::fromRawData(reinterpret_cast<const char*>(values.data()),
-                                           static_cast<qsizetype>(values.size() * sizeof(values[0]))));
-    };
-    if (results.error) {
-      add(results.error->message);
-    } else if (results.fused) {
-      add(results.fused->points);
-      add(results.fused->faces());
-    }
-    digest[fusion->id] = hash.result();
-  }
-  return digest;
-}
-
-std::size_t resultsIn(const Document& document, Evaluated& known) {
-  return static_cast<std::size_t>(std::ranges::count_if(document.fusions, [&](const auto& fusion) {
-    return evaluate(document.fusions, fusion->id, known, {}).results.fused != nullptr;
-  }));
-}
-
-}  // namespace
 
 class StackedEditsTest : public QObject {
   Q_OBJECT
@@ -47,7 +14,7 @@ class StackedEditsTest : public QObject {
  private Q_SLOTS:
   void theFiveFusionsHaveResults() {
     Evaluated known;
-    QCOMPARE(resultsIn(samples::fiveStackedFusions(), known), std::size_t{5});
+    QCOMPARE(resultsIn(samples::fiveStackedFusions().fusions, known), std::size_t{5});
   }
 
   void everyStateOfRandomEditsReproducesBitForBit() {
@@ -57,7 +24,8 @@ class StackedEditsTest : public QObject {
     DocumentModel model;
     model.reset(samples::fiveStackedFusions(), 5);
     Evaluated known;
-    std::vector<std::pair<Document, Digest>> states = {{model.document(), digestOf(model.document(), known)}};
+    std::vector<std::pair<Document, Digest>> states = {
+        {model.document(), digestOf(model.document().fusions, known)}};
     const auto at = [&]() -> auto& {
       return states[static_cast<std::size_t>(model.history()->index())];
     };
@@ -72,7 +40,7 @@ class StackedEditsTest : public QObject {
         const bool broke = randomStackedEdit(model, random, known);
         if (model.history()->index() > before) {
           states.resize(static_cast<std::size_t>(before) + 1);
-          states.emplace_back(model.document(), digestOf(model.document(), known));
+          states.emplace_back(model.document(), digestOf(model.document().fusions, known));
           ++edits;
           // Mostly back, so that there is a result to compare.
           model.history()->setIndex(broke && below(5) > 0 ? before : before + 1);
@@ -86,18 +54,19 @@ class StackedEditsTest : public QObject {
         Result<LoadedProject> loaded = readProject(path, {});
         QVERIFY(loaded && loaded->damage.empty());
         const Digest saved = at().second;
-        model.reset(std::move(loaded->project.document), loaded->project.shown);
+        model.reset(loaded->project.document, loaded->project.shown);
         states = {{model.document(), saved}};
         ++reopened;
       }
       QVERIFY2(model.document() == at().first, qPrintable(QString("step %1").arg(step)));
-      QVERIFY2(digestOf(model.document(), known) == at().second, qPrintable(QString("step %1").arg(step)));
+      QVERIFY2(digestOf(model.document().fusions, known) == at().second,
+               qPrintable(QString("step %1").arg(step)));
       if (step % 25 == 0) {
         Evaluated nothing;
-        QVERIFY2(digestOf(model.document(), nothing) == at().second,
+        QVERIFY2(digestOf(model.document().fusions, nothing) == at().second,
                  qPrintable(QString("step %1, computed afresh").arg(step)));
       }
-      results += resultsIn(model.document(), known);
+      results += resultsIn(model.document().fusions, known);
     }
     QVERIFY2(edits > 80 && reopened > 5 && results > 600,
              qPrintable(QString("%1 edits, %2 files, %3 results").arg(edits).arg(reopened).arg(results)));

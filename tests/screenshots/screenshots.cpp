@@ -10,10 +10,13 @@
 
 #include "app/document/document_commands.h"
 #include "app/workbench/samples.h"
+#include "app/workbench/suggester.h"
 #include "core/picture/fusion_view.h"
 #include "tests/support/gallery.h"
 #include "tests/support/stacked.h"
 #include "tests/support/workbench.h"
+#include "widgets/variants/suggestion_strip.h"
+#include "widgets/variants/suggestions_model.h"
 #include "widgets/viewport/result_pane.h"
 
 using namespace graftsman;
@@ -121,6 +124,40 @@ void keepVariants(const Workbench& bench) {
   }
 }
 
+// A cone for a nose, with other settings beside it, of which one was taken.
+void openSuggestions(const Workbench& bench) {
+  open(bench, "fig8b_cone_nose");
+  bench.window->setMode(MainWindow::Mode::Fusion);
+  if (!bench.action("suggestions")->isChecked()) {
+    bench.action("suggestions")->trigger();
+  }
+  const auto* strip = bench.window->findChild<SuggestionStrip*>("suggestionStrip");
+  const QAbstractItemModel& rows = *strip->view()->model();
+  const auto drawn = [&] {
+    for (int row = 0; row < rows.rowCount(); ++row) {
+      if (rows.index(row, 0).data(SuggestionsModel::Picture).value<QImage>().isNull()) {
+        return false;
+      }
+    }
+    return rows.rowCount() > 0 && !strip->model()->outdated() && !bench.window->suggester().busy() &&
+           bench.settle();
+  };
+  auto* order = bench.window->findChild<QComboBox*>("suggestionsOrder");
+  order->setCurrentIndex(static_cast<int>(SuggestionOrder::GreatestDistance));
+  if (!QTest::qWaitFor(drawn, kPatienceMs)) {
+    qFatal("the suggestions have no pictures");
+  }
+  const QModelIndex third = rows.index(2, 0);
+  QTest::mouseClick(strip->view()->viewport(), Qt::LeftButton, {}, strip->view()->visualRect(third).center());
+  if (!bench.settle() || !QTest::qWaitFor(drawn, kPatienceMs)) {
+    qFatal("the suggestion was not taken");
+  }
+}
+
+void closeSuggestions(const Workbench& bench) {
+  bench.action("suggestions")->trigger();
+}
+
 void takeForReadme(Workbench& bench, Photographer& photographer, const QString& prefix) {
   bench.window->setMode(MainWindow::Mode::Start);
   photographer.take(prefix + "start");
@@ -130,6 +167,9 @@ void takeForReadme(Workbench& bench, Photographer& photographer, const QString& 
   open(bench, "fig8b_cone_nose");
   bench.window->setMode(MainWindow::Mode::Fusion);
   photographer.take(prefix + "fusion");
+  openSuggestions(bench);
+  photographer.take(prefix + "suggestions");
+  closeSuggestions(bench);
   keepVariants(bench);
   photographer.take(prefix + "variants");
 }
@@ -196,6 +236,9 @@ void takeAll(Workbench& bench, Photographer& photographer, const QString& theme)
   take("half-made");
   bench.window->resize(1920, 1080);
   take("1920x1080");
+  openSuggestions(bench);
+  take("1920x1080-suggestions");
+  closeSuggestions(bench);
   bench.window->resize(1280, 800);
   bench.action("undo")->trigger();
   takeStacked(bench, photographer, theme);

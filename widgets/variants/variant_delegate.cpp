@@ -6,12 +6,12 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QPixmapCache>
 #include <algorithm>
 
 #include "widgets/theme/contrast.h"
 #include "widgets/theme/icon.h"
 #include "widgets/theme/theme.h"
+#include "widgets/variants/rounded_picture.h"
 #include "widgets/variants/variants_model.h"
 
 namespace graftsman {
@@ -38,28 +38,6 @@ QPainterPath rounded(const QRectF& rect) {
   return path;
 }
 
-// The picture at the size and pixel ratio of the screen, its corners rounded; made once.
-QPixmap pixmapOf(const QImage& picture, double ratio) {
-  const QString key = QStringLiteral("variant %1 %2").arg(picture.cacheKey()).arg(ratio);
-  QPixmap pixmap;
-  if (!QPixmapCache::find(key, &pixmap)) {
-    const QSize size = (QSizeF(VariantDelegate::kPicture) * ratio).toSize();
-    QImage drawn(size, QImage::Format_ARGB32_Premultiplied);
-    drawn.fill(Qt::transparent);
-    QPainter painter(&drawn);
-    painter.setRenderHint(QPainter::Antialiasing);
-    QPainterPath path;
-    path.addRoundedRect(QRectF({}, QSizeF(size)), kCorner * ratio, kCorner * ratio);
-    painter.fillPath(path,
-                     QBrush(picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation)));
-    painter.end();
-    drawn.setDevicePixelRatio(ratio);
-    pixmap = QPixmap::fromImage(std::move(drawn));
-    QPixmapCache::insert(key, pixmap);
-  }
-  return pixmap;
-}
-
 void paintPicture(QPainter& painter, const QRect& rect, const QStyleOptionViewItem& option,
                   const QModelIndex& index) {
   const Theme theme = themeFor(option.palette);
@@ -74,7 +52,8 @@ void paintPicture(QPainter& painter, const QRect& rect, const QStyleOptionViewIt
       painter.drawText(rect, Qt::AlignCenter, VariantDelegate::tr("No picture yet"));
     }
   } else {
-    painter.drawPixmap(rect.topLeft(), pixmapOf(picture, painter.device()->devicePixelRatioF()));
+    painter.drawPixmap(rect.topLeft(), roundedPicture(picture, VariantDelegate::kPicture, kCorner,
+                                                      painter.device()->devicePixelRatioF()));
   }
 }
 

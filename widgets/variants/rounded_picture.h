@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QImage>
+#include <QPixmap>
+
+namespace graftsman {
+
+/// The picture filling `size` (device-independent pixels) at this pixel ratio, its corners rounded by
+/// `radius`. Made once and kept in the QPixmapCache.
+[[nodiscard]] QPixmap roundedPicture(const QImage& picture, const QSize& size, double radius, double ratio);
+
+}  // namespace graftsman
