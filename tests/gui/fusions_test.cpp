@@ -1,13 +1,7 @@
-#include <QAbstractButton>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLineEdit>
-#include <QMenu>
-#include <QTreeView>
-
 #include "app/document/commands.h"
 #include "core/project/edits.h"
 #include "core/project/evaluate.h"
+#include "tests/support/fusions_bench.h"
 #include "tests/support/stacked.h"
 #include "tests/support/workbench.h"
 #include "widgets/panels/elided_label.h"
@@ -16,100 +10,44 @@
 
 using namespace graftsman;
 
-// Fusions of fusions, by mouse and keys on the real window.
+namespace {
+
+// Eight vertices of the mesh on a circle about `centre`, counter-clockwise seen from outside.
+std::vector<Index> ring(const TriangleMesh& mesh, Index centre, double radius) {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  Index h = mesh.outgoing(centre);
+  const Index first = h;
+  do {
+    const Face& face = mesh.face(TriangleMesh::faceOf(h));
+    normal += (mesh.point(face[1]) - mesh.point(face[0])).cross(mesh.point(face[2]) - mesh.point(face[0]));
+    h = mesh.twin(TriangleMesh::prev(h));
+  } while (h >= 0 && h != first);
+  normal.normalize();
+  const Eigen::Vector3d a = normal.unitOrthogonal();
+  const Eigen::Vector3d b = normal.cross(a);
+  std::vector<Index> vertices;
+  for (int i = 0; i < 8; ++i) {
+    const double angle = EIGEN_PI / 4 * i;
+    SurfacePoint point = SurfacePoint::atVertex(0);
+    point.place = mesh.point(centre) + radius * (std::cos(angle) * a + std::sin(angle) * b);
+    vertices.push_back(attach(mesh, point).vertex);
+  }
+  return vertices;
+}
+
+// The vertex that lies farthest in the direction.
+Index farthest(const TriangleMesh& mesh, const Eigen::Vector3d& direction) {
+  Index best = 0;
+  for (Index v = 1; v < mesh.vertexCount(); ++v) {
+    best = mesh.point(v).dot(direction) > mesh.point(best).dot(direction) ? v : best;
+  }
+  return best;
+}
+
+}  // namespace
+
 class FusionsTest : public QObject {
   Q_OBJECT
-
- private:
-  // The window with a hand on its tree.
-  struct Bench : Workbench {
-    [[nodiscard]] DocumentModel& model() const { return window->model(); }
-    [[nodiscard]] const FusionList& fusions() const { return model().document().fusions; }
-    [[nodiscard]] FusionTreePanel* tree() const { return window->findChild<FusionTreePanel*>(); }
-    void raiseTree() const { window->findChild<QDockWidget*>("fusionsDock")->raise(); }
-    [[nodiscard]] const std::vector<Point>& fused() const {
-      return window->fusionPage().shown()->fused->points;
-    }
-    // Whether the window shows what the shown fusion comes to when everything is computed afresh.
-    [[nodiscard]] bool showsTheResult() const {
-      Evaluated nothing;
-      const FusionResults fresh = evaluate(fusions(), model().shown(), nothing, {}).results;
-      return fresh.fused && window->fusionPage().shown() && fresh.fused->points == fused() &&
-             fresh.fused->faces() == window->fusionPage().shown()->fused->faces();
-    }
-    void clickRow(FusionId id) const {
-      raiseTree();
-      QTreeView* view = tree()->view();
-      view->scrollTo(tree()->model()->find(id));
-      QTest::mouseClick(view->viewport(), Qt::LeftButton, {},
-                        view->visualRect(tree()->model()->find(id)).center());
-    }
-    [[nodiscard]] QWidget* frame(Side side) const {
-      return window->findChild<QWidget*>(side == Side::Part ? "partFrame" : "baseFrame");
-    }
-    [[nodiscard]] QString problem(Side side) const {
-      auto* icon = frame(side)->findChild<QLabel*>("problemIcon");
-      return icon->isHidden() ? QString() : frame(side)->findChild<QLabel*>("problemText")->text();
-    }
-    [[nodiscard]] QAbstractButton* remedy(Side side) const {
-      return frame(side)->findChild<QAbstractButton*>("remedy");
-    }
-    [[nodiscard]] QString title(Side side) const {
-      return frame(side)->findChild<ElidedLabel*>("paneTitle")->text();
-    }
-    [[nodiscard]] QString pairProblem(int row) const {
-      const auto* model = window->findChild<PairsModel*>();
-      return model->index(row, PairsModel::Problem).data().toString();
-    }
-    void name(FusionId id, const QString& name) const {
-      raiseTree();
-      tree()->editName(id);
-      typeName(id, name);
-    }
-    // Into the editor that is open in the tree.
-    void typeName(FusionId id, const QString& name) const {
-      auto* editor = tree()->view()->viewport()->findChild<QLineEdit*>();
-      if (!editor) {
-        qFatal("no editor of the name");
-      }
-      editor->selectAll();
-      QTest::keyClicks(editor, name);
-      QTest::keyClick(editor, Qt::Key_Return);
-      QTRY_COMPARE(QString::fromStdString(find(fusions(), id)->name), name);
-    }
-  };
-
-  // Eight vertices of the mesh on a circle about `centre`, counter-clockwise seen from outside.
-  static std::vector<Index> ring(const TriangleMesh& mesh, Index centre, double radius) {
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    Index h = mesh.outgoing(centre);
-    const Index first = h;
-    do {
-      const Face& face = mesh.face(TriangleMesh::faceOf(h));
-      normal += (mesh.point(face[1]) - mesh.point(face[0])).cross(mesh.point(face[2]) - mesh.point(face[0]));
-      h = mesh.twin(TriangleMesh::prev(h));
-    } while (h >= 0 && h != first);
-    normal.normalize();
-    const Eigen::Vector3d a = normal.unitOrthogonal();
-    const Eigen::Vector3d b = normal.cross(a);
-    std::vector<Index> vertices;
-    for (int i = 0; i < 8; ++i) {
-      const double angle = EIGEN_PI / 4 * i;
-      SurfacePoint point = SurfacePoint::atVertex(0);
-      point.place = mesh.point(centre) + radius * (std::cos(angle) * a + std::sin(angle) * b);
-      vertices.push_back(attach(mesh, point).vertex);
-    }
-    return vertices;
-  }
-
-  // The vertex that lies farthest in the direction.
-  static Index farthest(const TriangleMesh& mesh, const Eigen::Vector3d& direction) {
-    Index best = 0;
-    for (Index v = 1; v < mesh.vertexCount(); ++v) {
-      best = mesh.point(v).dot(direction) > mesh.point(best).dot(direction) ? v : best;
-    }
-    return best;
-  }
 
  private Q_SLOTS:
   void aSecondFusionIsMadeOnTheResultOfTheFirst() {
@@ -315,131 +253,6 @@ class FusionsTest : public QObject {
     QVERIFY(bench.settle());
     QVERIFY2(!bench.problem(Side::Base).contains("moved"), qPrintable(bench.problem(Side::Base)));
     QVERIFY(!bench.problem(Side::Base).isEmpty());
-  }
-
-  void theWindowWorksWhileAResultIsStillBeingComputed() {
-    Bench bench;
-    QVERIFY(bench.openSample("fig9b_bird_plane"));
-    for (int round = 0; round < 3; ++round) {
-      bench.model().show(1);
-      bench.action("runAdjustment")->trigger();
-      bench.action(round % 2 == 0 ? "half" : "linear")->trigger();
-      bench.action("fuseOnto")->trigger();
-      QVERIFY(!bench.fusion().inputs.part);
-      bench.window->lookAtFirst();
-      for (QAction* action : bench.window->actions().all()) {
-        const QString name = action->objectName();
-        const bool asks = name == "quit" || action->text().contains("…") || name == "newProject" ||
-                          name == "save" || name == "shortcuts" || name == "about" || name == "cancel";
-        if (action->isEnabled() && !asks) {
-          action->trigger();
-        }
-      }
-      bench.model().history()->setIndex(0);
-      bench.model().history()->setIndex(bench.model().history()->count());
-    }
-    bench.model().show(1);
-    QVERIFY(bench.settle());
-    QVERIFY(bench.showsTheResult());
-  }
-
-  void aFusionWhoseRunIsOvertakenByAnotherIsNotShownForIt() {
-    Bench bench;
-    QVERIFY(bench.openSample("fig8b_cone_nose"));
-    bench.model().reset(samples::twoConesOnASphere(), 2);
-    for (int i = 0; i < 20; ++i) {
-      bench.model().show(1 + i % 2);
-      QVERIFY(!bench.window->fusionPage().shown());
-      if (i % 3 == 0) {
-        QVERIFY(bench.settle());
-        QVERIFY(bench.showsTheResult());
-      }
-    }
-    QVERIFY(bench.settle());
-    QVERIFY(bench.showsTheResult());
-  }
-
-  void aResultIsTakenAsAPartFromTheMenuAndACircleIsRefused() {
-    Bench bench;
-    bench.model().reset(samples::twoConesOnASphere(), 2);
-    QVERIFY(bench.settle());
-    bench.action("newFusion")->trigger();
-    QCOMPARE(bench.model().shown(), 3);
-    QVERIFY(!bench.fusion().part && !bench.fusion().base);
-    const auto take = [&](const char* name, int entry) {
-      QMenu* menu = bench.window->actions().menu(name);
-      Q_EMIT menu->aboutToShow();
-      menu->actions().at(entry)->trigger();
-    };
-    take("takePartMenu", 1);
-    QCOMPARE(bench.fusion().upstream(Side::Part), 2);
-    QVERIFY(bench.settle());
-    QVERIFY(bench.fusion().inputs.part);
-    QCOMPARE(bench.model().history()->undoText(), QString("Take “part on part on base” as the part"));
-    // Fusion 1 of fusion 3 would be a circle.
-    bench.model().show(1);
-    const Document before = bench.model().document();
-    take("takeBaseMenu", 1);
-    QVERIFY(bench.model().document() == before);
-    QVERIFY2(bench.status().contains("is itself made of"), qPrintable(bench.status()));
-  }
-
-  void theContextMenuOfARowActsOnThatFusion() {
-    Bench bench;
-    bench.model().reset(samples::twoConesOnASphere(), 2);
-    QVERIFY(bench.settle());
-    bench.action("newFusion")->trigger();
-    const auto choose = [&](FusionId row, const QString& text) {
-      bench.raiseTree();
-      QTreeView* view = bench.tree()->view();
-      const QPoint at = view->visualRect(bench.tree()->model()->find(row)).center();
-      QContextMenuEvent event(QContextMenuEvent::Mouse, at, view->viewport()->mapToGlobal(at));
-      QApplication::sendEvent(view->viewport(), &event);
-      auto* menu = bench.window->findChild<QMenu*>("fusionsMenu");
-      QVERIFY(menu && menu->isVisible());
-      const QList<QAction*> entries = menu->actions();
-      const auto entry = std::ranges::find(entries, text, &QAction::text);
-      QVERIFY2(entry != entries.end(), qPrintable(text));
-      (*entry)->trigger();
-      menu->close();
-      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    };
-    choose(2, "Take as the part of “Fusion 3”");
-    QCOMPARE(bench.fusion().upstream(Side::Part), 2);
-    choose(1, "Take as the base of “Fusion 3”");
-    QCOMPARE(bench.fusion().upstream(Side::Base), 1);
-    QVERIFY(bench.settle());
-    QVERIFY(bench.fusion().inputs.part && bench.fusion().inputs.base);
-    choose(1, "Show");
-    QCOMPARE(bench.model().shown(), 1);
-    choose(2, "Remove");
-    QVERIFY(!find(bench.fusions(), 2));
-    QCOMPARE(bench.model().shown(), 1);
-    choose(1, "Fuse onto this result");
-    QCOMPARE(bench.fusion().upstream(Side::Base), 1);
-    QVERIFY(bench.settle());
-    // The last one that goes leaves an empty one.
-    while (bench.fusions().size() > 1 || bench.fusion().base) {
-      bench.action("removeFusion")->trigger();
-    }
-    QVERIFY(!bench.action("removeFusion")->isEnabled());
-    QVERIFY(bench.settle());
-  }
-
-  void aFusionIsSeenAgainAsItWasLeft() {
-    Bench bench;
-    bench.model().reset(samples::twoConesOnASphere(), 2);
-    bench.window->setMode(MainWindow::Mode::Tiles);
-    QVERIFY(bench.settle());
-    const Camera camera{Point(1, 2, 3), Point(0.1, 0, 0), Eigen::Vector3d::UnitZ()};
-    bench.pane(Side::Base)->setCamera(camera);
-    bench.clickRow(1);
-    QVERIFY(bench.settle());
-    QVERIFY(!(bench.pane(Side::Base)->camera() == camera));
-    bench.action("half")->trigger();
-    bench.clickRow(2);
-    QVERIFY(bench.settle());
-    QVERIFY(bench.pane(Side::Base)->camera() == camera);
   }
 };
 
