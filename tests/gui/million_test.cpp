@@ -29,7 +29,7 @@ class Standstill : public QObject {
 // The cone of a sample on a ring of more than a million faces.
 Project millionFaces() {
   constexpr Index kSize = 720;
-  constexpr Index kRadius = 200;  // a tile of a quarter of a million faces
+  constexpr Index kRadius = 330;  // a tile of two thirds of a million faces: time to cancel
   Fusion fusion = samples::fusion("fig4c_cone_sphere");
   fusion.inputs.base = shapes::torus(kSize, kSize);
   fusion.base = std::make_shared<const MeshAsset>(MeshAsset{"ring", "ring.ply", {}, fusion.inputs.base});
