@@ -20,7 +20,8 @@ struct Shown {
     pane.show();
     pane.activateWindow();
     pane.aim({{1, -3, 1}, {0, 0, 0}, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ()});
-    connect(&pane, &MeshPane::surfacePicked, &pane, [this](const SurfacePoint& at) { picked.push_back(at); });
+    QObject::connect(&pane, &MeshPane::surfacePicked, &pane,
+                     [this](const SurfacePoint& at) { picked.push_back(at); });
     if (!QTest::qWaitForWindowActive(&pane) || !panes::showMesh(pane, mesh)) {
       qFatal("the pane is not shown");
     }
