@@ -76,7 +76,7 @@ class DesktopColoursTest : public QObject {
     Workbench bench;
     portal_.set(1);
     QTRY_VERIFY(isDark());
-    QVERIFY(bench.window->palette().color(QPalette::Window).lightness() < 128);
+    QTRY_VERIFY(bench.window->palette().color(QPalette::Window).lightness() < 128);
     portal_.set(2);  // light is wanted
     QTRY_VERIFY(!isDark());
     portal_.set(1);
