@@ -102,6 +102,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] VariantsPage::View resultView() const;
   void connectVariants();
   void enableVariants();
+  void compareVariants();
 
   // window_files.cpp
   [[nodiscard]] ProjectView projectView();
