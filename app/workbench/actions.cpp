@@ -150,6 +150,8 @@ constexpr Entry kEntries[] = {
     {"variantsMenu", "crossVariants", TEXT("Cross: &loop of the first, curve of the second"), "",
      "Ctrl+Shift+X", TEXT("A new variant of two: all of the first, but the curve of the one selected last")},
     {"variantsMenu", ""},
+    {"variantsMenu", "compareVariants", TEXT("C&ompare"), "", "Ctrl+Shift+M",
+     TEXT("Two variants beside each other, or the selected one and the present state")},
     {"variantsMenu", "picturesFromHere", TEXT("&Pictures from this view"), "picture", "Ctrl+Shift+V",
      TEXT("Draw all variants from where the result is seen now")},
 

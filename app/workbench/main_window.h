@@ -106,6 +106,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] VariantsPage::View resultView() const;
   void connectVariants();
   void enableVariants();
+  void compareVariants();
 
   // window_suggestions.cpp
   void makeSuggestions();

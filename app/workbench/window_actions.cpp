@@ -9,6 +9,7 @@
 #include "app/document/loop_editor.h"
 #include "app/document/stage_runner.h"
 #include "app/workbench/actions.h"
+#include "app/workbench/compare_window.h"
 #include "app/workbench/first_view.h"
 #include "app/workbench/fusion_outline.h"
 #include "app/workbench/fusion_page.h"
@@ -129,6 +130,9 @@ void MainWindow::connectViews() {
         for (Viewport* viewport : std::initializer_list<Viewport*>{
                  tiles_->pane(Side::Part), tiles_->pane(Side::Base), fusion_->pane()}) {
           viewport->setNavigation(navigation);
+        }
+        for (CompareWindow* comparing : findChildren<CompareWindow*>()) {
+          comparing->setNavigation(navigation);
         }
         QSettings().setValue(kNavigationKey, name);
       }

@@ -2,6 +2,7 @@
 #include <QUndoView>
 
 #include "app/workbench/actions.h"
+#include "app/workbench/compare_window.h"
 #include "app/workbench/fusion_page.h"
 #include "app/workbench/main_window.h"
 #include "app/workbench/status_line.h"
@@ -34,6 +35,7 @@ void MainWindow::connectVariants() {
   on("giveAdjustment", &VariantsPage::giveAdjustment);
   on("crossVariants", &VariantsPage::cross);
   on("picturesFromHere", &VariantsPage::takeView);
+  connect((*actions_)["compareVariants"], &QAction::triggered, this, &MainWindow::compareVariants);
   VariantsGallery* gallery = variants_->gallery();
   connect((*actions_)["renameVariant"], &QAction::triggered, gallery, &VariantsGallery::rename);
   (*actions_)["crossVariants"]->setIconText(tr("Cross"));
@@ -43,7 +45,7 @@ void MainWindow::connectVariants() {
   for (const char* name : {"giveCurve", "giveAdjustment", "crossVariants"}) {
     gallery->addAction((*actions_)[name], true);
   }
-  for (const char* name : {"applyVariant", "starVariants", "removeVariants"}) {
+  for (const char* name : {"compareVariants", "applyVariant", "starVariants", "removeVariants"}) {
     gallery->addAction((*actions_)[name], false);
   }
 
@@ -83,6 +85,24 @@ void MainWindow::enableVariants() {
   enable("giveCurve", count > 0);
   enable("giveAdjustment", count > 0);
   enable("crossVariants", count == 2);
+  enable("compareVariants", count == 1 || count == 2);
+}
+
+void MainWindow::compareVariants() {
+  const std::vector<VariantId> ids = variants_->selected();
+  if (ids.size() != 1 && ids.size() != 2) {
+    return;
+  }
+  auto* window = findChild<CompareWindow*>();
+  if (window == nullptr) {
+    window = new CompareWindow(
+        *model_, [this] { return resultView(); }, this);
+    window->setNavigation(fusion_->pane()->navigation());
+  }
+  window->compare(ids.front(), ids.size() == 2 ? ids.back() : VariantId{0});
+  window->show();
+  window->raise();
+  window->activateWindow();
 }
 
 }  // namespace graftsman

@@ -66,6 +66,11 @@ void NearestSurface::build(Index box, Index first, Index last, const std::vector
 }
 
 double NearestSurface::distance(const Point& p, double bound) const {
+  return nearest(p, bound).distance;
+}
+
+NearestSurface::Nearest NearestSurface::nearest(const Point& p, double bound) const {
+  Nearest best = {-1, bound};
   struct Waiting {
     Index box;
     double distance;
@@ -80,13 +85,17 @@ double NearestSurface::distance(const Point& p, double bound) const {
   waiting[count++] = {0, distanceTo(0)};
   while (count > 0) {
     const Waiting next = waiting[--count];
-    if (next.distance >= bound) {
+    if (next.distance >= best.distance) {
       continue;
     }
     const Box& box = boxes_[static_cast<std::size_t>(next.box)];
     for (Index i = box.first; i < box.first + box.count; ++i) {
-      const auto& [a, b, c] = mesh_->face(faces_[static_cast<std::size_t>(i)]);
-      bound = std::min(bound, distanceToTriangle(p, mesh_->point(a), mesh_->point(b), mesh_->point(c)));
+      const Index face = faces_[static_cast<std::size_t>(i)];
+      const auto& [a, b, c] = mesh_->face(face);
+      const double distance = distanceToTriangle(p, mesh_->point(a), mesh_->point(b), mesh_->point(c));
+      if (distance < best.distance) {
+        best = {face, distance};
+      }
     }
     if (box.count == 0) {
       Waiting nearer = {box.first, distanceTo(box.first)};
@@ -98,7 +107,7 @@ double NearestSurface::distance(const Point& p, double bound) const {
       waiting[count++] = nearer;
     }
   }
-  return bound;
+  return best;
 }
 
 }  // namespace graftsman

@@ -21,6 +21,14 @@ class NearestSurface {
   /// time. Exact but for the rounding of the distance to that face.
   [[nodiscard]] double distance(const Point& p, double bound = std::numeric_limits<double>::infinity()) const;
 
+  struct Nearest {
+    Index face =
+        -1;  // of several at the same distance always the same one; −1: none is nearer than the bound
+    double distance = 0;
+  };
+  /// The same with the face.
+  [[nodiscard]] Nearest nearest(const Point& p, double bound = std::numeric_limits<double>::infinity()) const;
+
  private:
   struct Box {
     Point low;

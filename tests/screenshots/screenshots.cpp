@@ -6,9 +6,11 @@
 #include <QFileInfo>
 #include <QPalette>
 #include <QScreen>
+#include <QSlider>
 #include <cstdio>
 
 #include "app/document/document_commands.h"
+#include "app/workbench/compare_window.h"
 #include "app/workbench/samples.h"
 #include "app/workbench/suggester.h"
 #include "core/picture/fusion_view.h"
@@ -53,14 +55,15 @@ class Photographer {
  public:
   Photographer(Workbench& bench, QString folder) : bench_(bench), folder_(std::move(folder)) {}
 
-  void take(const QString& name) {
+  void take(const QString& name) { take(name, bench_.window.get()); }
+
+  void take(const QString& name, QWidget* window) {
     if (!bench_.settle()) {
       qFatal("the stages do not settle");
     }
     // What was asked to be drawn is drawn.
     QTest::qWait(200);
     const QString path = folder_ + '/' + name + ".png";
-    MainWindow* window = bench_.window.get();
     if (!window->screen()->grabWindow(window->winId()).save(path)) {
       qFatal("%s cannot be written", qPrintable(path));
     }
@@ -158,6 +161,29 @@ void closeSuggestions(const Workbench& bench) {
   bench.action("suggestions")->trigger();
 }
 
+// Two of the variants that were kept, in every way of comparing; without `all` by their difference alone.
+void takeCompared(const Workbench& bench, Photographer& photographer, const QString& prefix, bool all) {
+  bench.window->variantsPage().gallery()->select({5, 7});
+  bench.action("compareVariants")->trigger();
+  auto* window = bench.window->findChild<CompareWindow*>();
+  if (window == nullptr || !QTest::qWaitForWindowExposed(window) ||
+      !QTest::qWaitFor([window] { return window->shown() && !window->busy(); }, kPatienceMs)) {
+    qFatal("nothing is compared");
+  }
+  QCursor::setPos(window->mapToGlobal(QPoint(window->width() / 2, 2)));
+  window->setMode(CompareWindow::Mode::Difference);
+  photographer.take(prefix + "compare", window);
+  if (all) {
+    window->setMode(CompareWindow::Mode::SideBySide);
+    photographer.take(prefix + "compare-beside", window);
+    window->setMode(CompareWindow::Mode::Morph);
+    window->findChild<QSlider*>("compareSlider")->setValue(500);
+    photographer.take(prefix + "compare-morph", window);
+  }
+  delete window;
+  bench.activate();
+}
+
 void takeForReadme(Workbench& bench, Photographer& photographer, const QString& prefix) {
   bench.window->setMode(MainWindow::Mode::Start);
   photographer.take(prefix + "start");
@@ -172,6 +198,7 @@ void takeForReadme(Workbench& bench, Photographer& photographer, const QString& 
   closeSuggestions(bench);
   keepVariants(bench);
   photographer.take(prefix + "variants");
+  takeCompared(bench, photographer, prefix, false);
 }
 
 // The start page's pictures of the samples' results.
@@ -216,6 +243,7 @@ void takeAll(Workbench& bench, Photographer& photographer, const QString& theme)
   keepVariants(bench);
   bench.window->variantsPage().gallery()->select({2, 5, 9});
   take("variants-several");
+  takeCompared(bench, photographer, theme + '-', true);
   bench.window->setMode(MainWindow::Mode::Tiles);
   take("empty");
   open(bench, "fig7_letters_bottle");

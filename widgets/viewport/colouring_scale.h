@@ -45,4 +45,8 @@ struct Rgba {
 /// clamped.
 [[nodiscard]] Rgba sequentialColour(double x);
 
+/// A scale from blue (−1) over near white (0) to red (1), of the same lightness on both sides, that
+/// colour-blind people tell apart ("RdBu" of ColorBrewer). x is clamped.
+[[nodiscard]] Rgba divergingColour(double x);
+
 }  // namespace graftsman

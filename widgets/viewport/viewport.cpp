@@ -271,6 +271,10 @@ void Viewport::setNavigation(Navigation navigation) {
   scene_->navigation = navigation;
 }
 
+Navigation Viewport::navigation() const {
+  return scene_->navigation;
+}
+
 void Viewport::frameScene() {
   double b[6];
   scene_->renderer->ComputeVisiblePropBounds(b);

@@ -58,6 +58,7 @@ class Viewport : public QOpenGLWidget {
   /// somebody moves or sets the camera. Without cameraChanged().
   void aim(const Camera& camera);
   void setNavigation(Navigation navigation);
+  [[nodiscard]] Navigation navigation() const;
 
   /// Moves the camera along its direction until all of the scene is in view; nothing without a scene. F.
   /// Until the camera is moved otherwise, a resized pane frames again.

@@ -1,0 +1,427 @@
+#include "app/workbench/compare_window.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QVariantAnimation>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/workbench/first_view.h"
+#include "widgets/panels/pane_frame.h"
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/surface_pane.h"
+
+namespace graftsman {
+namespace {
+
+constexpr int kSliderSteps = 1000;
+constexpr int kToAndFroMilliseconds = 3000;
+constexpr QSize kFirstSize(1120, 720);
+
+// What a state's result depends on: the fusions that it is made of.
+std::vector<const Fusion*> madeOf(const ComparedState& state) {
+  std::vector<const Fusion*> fusions;
+  for (const FusionId id : upstreamOf(state.fusions, state.shown)) {
+    fusions.push_back(find(state.fusions, id));
+  }
+  return fusions;
+}
+
+// The camera from which a pane of another shape sees all that the view's pane does.
+Camera asSeenIn(const CameraView& view, const QSize& pane) {
+  const double wider = view.size.width() / std::max(1.0, view.size.height()) /
+                       (std::max(1.0, static_cast<double>(pane.width())) / std::max(1, pane.height()));
+  Camera camera = view.camera;
+  camera.position = camera.pivot + std::max(1.0, wider) * (camera.position - camera.pivot);
+  return camera;
+}
+
+QToolButton* textButton(const char* objectName, const QString& text, const QString& tip, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName(objectName);
+  button->setText(text);
+  button->setAccessibleName(text);
+  button->setToolTip(tip);
+  button->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus in the pane
+  return button;
+}
+
+QString length(double value) {
+  return QLocale().toString(value, 'g', 3);
+}
+
+}  // namespace
+
+CompareWindow::CompareWindow(DocumentModel& model, const std::function<VariantsPage::View()>& view,
+                             QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      model_(model),
+      view_(view),
+      comparison_(new Comparison(this)),
+      modes_(new QButtonGroup(this)),
+      animation_(new QVariantAnimation(this)) {
+  setObjectName("compareWindow");
+  setAttribute(Qt::WA_DeleteOnClose);
+  resize(kFirstSize);
+  auto* splitter = new QSplitter(this);
+  splitter->setObjectName("compareSplitter");
+  splitter->setChildrenCollapsible(false);
+  for (const std::size_t side : {0U, 1U}) {
+    const QString role = side == 0 ? tr("A") : tr("B");
+    auto* pane = new SurfacePane(this);
+    pane->setObjectName(side == 0 ? "comparePaneA" : "comparePaneB");
+    pane->setAccessibleName(tr("%1, 3D view").arg(role));
+    auto* frame = new PaneFrame(role, {}, pane, splitter);
+    frame->setObjectName(side == 0 ? "compareFrameA" : "compareFrameB");
+    frame->setEnlargeable(false);
+    splitter->addWidget(frame);
+    panes_[side] = pane;
+    frames_[side] = frame;
+    connect(pane, &Viewport::cameraChanged, this, [this, side](const Camera& camera) {
+      seen_ = true;
+      panes_[1 - side]->setCamera(camera);
+    });
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(modeRow());
+  layout->addWidget(splitter, 1);
+  layout->addWidget(morphRow());
+  connectKeys();
+
+  connect(&model, &DocumentModel::changed, this, &CompareWindow::follow);
+  connect(&model, &DocumentModel::documentChanged, this, &CompareWindow::refresh);
+  connect(comparison_, &Comparison::compared, this, &CompareWindow::take);
+  connect(comparison_, &Comparison::progressed, this, [this](double done) {
+    for (SurfacePane* pane : panes_) {
+      pane->setBusy(done);
+    }
+  });
+  setMode(Mode::SideBySide);
+}
+
+CompareWindow::~CompareWindow() {
+  animation_->disconnect(this);
+}
+
+QWidget* CompareWindow::modeRow() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(sizes::kGrid, sizes::kGrid / 2, sizes::kGrid, sizes::kGrid / 2);
+  row->setSpacing(0);
+  const auto add = [&](Mode mode, const char* objectName, const QString& text, const QString& tip) {
+    QToolButton* button = textButton(objectName, text, tip, bar);
+    button->setCheckable(true);
+    modes_->addButton(button, static_cast<int>(mode));
+    row->addWidget(button);
+  };
+  add(Mode::SideBySide, "compareSideBySide", tr("Side by side"), tr("Both, seen from one place"));
+  add(Mode::Difference, "compareDifference", tr("Difference"), tr("B, coloured by its distance from A"));
+  add(Mode::Morph, "compareMorph", tr("Morph"), tr("A becomes B"));
+  row->addStretch(1);
+  connect(modes_, &QButtonGroup::idClicked, this, [this](int id) { setMode(static_cast<Mode>(id)); });
+  return bar;
+}
+
+QWidget* CompareWindow::morphRow() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(sizes::kGrid, sizes::kGrid / 2, sizes::kGrid, sizes::kGrid / 2);
+  row->setSpacing(sizes::kGrid);
+  words_ = new QLabel(bar);
+  words_->setObjectName("compareWords");
+  words_->setWordWrap(true);
+  morph_ = new QWidget(bar);
+  auto* tools = new QHBoxLayout(morph_);
+  tools->setContentsMargins(0, 0, 0, 0);
+  flip_ = textButton("compareFlip", tr("Flip"), tr("Show the other one at once (X)"), morph_);
+  play_ = textButton("comparePlay", tr("Play"), tr("From A to B and back, until pressed again (P)"), morph_);
+  play_->setCheckable(true);
+  slider_ = new QSlider(Qt::Horizontal, morph_);
+  slider_->setObjectName("compareSlider");
+  slider_->setAccessibleName(tr("From A to B"));
+  slider_->setToolTip(tr("How much of B"));
+  slider_->setRange(0, kSliderSteps);
+  slider_->setPageStep(kSliderSteps / 10);
+  slider_->setSingleStep(kSliderSteps / 100);
+  tools->addWidget(flip_);
+  tools->addWidget(play_);
+  tools->addWidget(new QLabel(tr("A"), morph_));
+  tools->addWidget(slider_, 1);
+  tools->addWidget(new QLabel(tr("B"), morph_));
+  row->addWidget(morph_, 1);
+  row->addWidget(words_, 1);
+
+  connect(flip_, &QToolButton::clicked, this, &CompareWindow::flip);
+  connect(play_, &QToolButton::toggled, this, &CompareWindow::play);
+  connect(slider_, &QSlider::valueChanged, this, &CompareWindow::showMorph);
+  // The person's hand on it: the animation lets go.
+  connect(slider_, &QSlider::actionTriggered, this, [this] { play_->setChecked(false); });
+  animation_->setStartValue(0.0);
+  animation_->setEndValue(1.0);
+  animation_->setDuration(kToAndFroMilliseconds);
+  animation_->setLoopCount(-1);
+  connect(animation_, &QVariantAnimation::valueChanged, this, [this](const QVariant& phase) {
+    if (play_->isChecked()) {
+      const double t = (1 - std::cos(2 * std::numbers::pi * phase.toDouble())) / 2;
+      slider_->setValue(static_cast<int>(std::lround(t * kSliderSteps)));
+    }
+  });
+  return bar;
+}
+
+void CompareWindow::connectKeys() {
+  const auto on = [this](const QKeySequence& keys, const auto& what) {
+    connect(new QShortcut(keys, this), &QShortcut::activated, this, what);
+  };
+  on(QKeySequence("Esc"), [this] { close(); });
+  on(QKeySequence("F"), [this] { panes_[mode() == Mode::SideBySide ? 0 : 1]->frameAll(); });
+  on(QKeySequence("X"), [this] {
+    if (mode() == Mode::Morph) {
+      flip_->click();
+    }
+  });
+  on(QKeySequence("P"), [this] {
+    if (mode() == Mode::Morph) {
+      play_->click();
+    }
+  });
+}
+
+void CompareWindow::setNavigation(Navigation navigation) {
+  for (SurfacePane* pane : panes_) {
+    pane->setNavigation(navigation);
+  }
+}
+
+CompareWindow::Mode CompareWindow::mode() const {
+  return static_cast<Mode>(modes_->checkedId());
+}
+
+void CompareWindow::setMode(Mode mode) {
+  modes_->button(static_cast<int>(mode))->setChecked(true);
+  play_->setChecked(false);
+  frames_[0]->setVisible(mode == Mode::SideBySide);
+  morph_->setVisible(mode == Mode::Morph);
+  showNames();
+  showContent();
+}
+
+void CompareWindow::compare(VariantId a, VariantId b) {
+  ids_ = {a, b};
+  states_ = {};
+  {
+    const QSignalBlocker blocker(slider_);
+    slider_->setValue(0);
+  }
+  refresh();
+}
+
+void CompareWindow::follow(Change change) {
+  if (change == Change::Reset) {
+    close();  // the numbers are those of another document's variants
+  } else if (change == Change::Shown) {
+    refresh();
+  }
+}
+
+void CompareWindow::refresh() {
+  std::array<ComparedState, 2> states;
+  for (const std::size_t side : {0U, 1U}) {
+    const Variant* variant = graftsman::find(model_.document().variants, ids_[side]);
+    if (ids_[side] != 0 && variant == nullptr) {
+      close();
+      return;
+    }
+    states[side] = variant != nullptr ? ComparedState{variant->fusions, variant->shown}
+                                      : ComparedState{model_.document().fusions, model_.shown()};
+  }
+  showNames();
+  // The present lists are kept, so that no other fusion takes the address of one.
+  if (madeOf(states[0]) == madeOf(states_[0]) && madeOf(states[1]) == madeOf(states_[1])) {
+    return;
+  }
+  states_ = states;
+  states[0].known = view_().results;
+  comparison_->request(std::move(states));
+  play_->setChecked(false);
+  for (SurfacePane* pane : panes_) {
+    pane->setBusy(0);
+  }
+}
+
+void CompareWindow::take(const std::shared_ptr<const Compared>& compared) {
+  shown_ = compared;
+  for (SurfacePane* pane : panes_) {
+    pane->setBusy(std::nullopt);
+  }
+  showNames();
+  showContent();
+  if (!seen_) {
+    takeFirstView();
+  }
+}
+
+// Where the result was seen from; without one, as any result is looked at first.
+void CompareWindow::takeFirstView() {
+  const VariantsPage::View view = view_();
+  std::optional<Camera> camera;
+  if (view.results) {
+    camera = asSeenIn(view.pane, panes_[0]->size());
+  } else {
+    for (const std::size_t side : {1U, 0U}) {
+      const Fusion* fusion = graftsman::find(states_[side].fusions, states_[side].shown);
+      if (shown_->sides[side].drawn && fusion != nullptr) {
+        panes_[side]->aim(firstView(*fusion, Side::Base));
+        camera = panes_[side]->camera();
+      }
+    }
+  }
+  if (camera) {
+    seen_ = true;
+    for (SurfacePane* pane : panes_) {
+      pane->setCamera(*camera);
+    }
+  }
+}
+
+QString CompareWindow::name(std::size_t side) const {
+  const Variant* variant = graftsman::find(model_.document().variants, ids_[side]);
+  return variant != nullptr ? tr("“%1”").arg(QString::fromStdString(variant->name)) : tr("the present state");
+}
+
+void CompareWindow::showNames() {
+  setWindowTitle(tr("Compare %1 with %2").arg(name(0), name(1)));
+  frames_[0]->setTitle(name(0));
+  frames_[1]->setTitle(mode() == Mode::SideBySide   ? name(1)
+                       : mode() == Mode::Difference ? tr("%1, by its distance from %2").arg(name(1), name(0))
+                                                    : tr("from %1 to %2").arg(name(0), name(1)));
+  if (shown_ && mode() == Mode::Difference) {
+    showDifference();
+  }
+}
+
+void CompareWindow::showContent() {
+  words_->clear();
+  panes_[1]->setLegend({});
+  if (shown_) {
+    panes_[0]->showSurface(shown_->sides[0].drawn);
+    if (mode() == Mode::SideBySide) {
+      panes_[1]->showSurface(shown_->sides[1].drawn);
+    } else if (mode() == Mode::Difference) {
+      panes_[1]->showSurface(shown_->coloured);
+      showDifference();
+    } else {
+      slider_->setEnabled(shown_->sameFaces);
+      play_->setEnabled(shown_->sameFaces);
+      if (!shown_->sameFaces) {
+        const QSignalBlocker blocker(slider_);
+        slider_->setValue(share() < 0.5 ? 0 : kSliderSteps);
+      }
+      showMorph();
+    }
+    showProblems();
+  }
+  words_->parentWidget()->setVisible(mode() != Mode::SideBySide);
+}
+
+void CompareWindow::showDifference() {
+  if (!shown_->difference) {
+    return;
+  }
+  const SurfaceDifference& difference = *shown_->difference;
+  if (shown_->range == 0) {
+    words_->setText(tr("The two have the same surface."));
+    panes_[1]->setLegend({});
+    return;
+  }
+  words_->setText(tr("Greatest outward %1, greatest inward %2, mean %3, in the model's unit.")
+                      .arg(length(std::max(0.0, difference.greatest)),
+                           length(std::max(0.0, -difference.least)), length(difference.meanAbsolute)));
+  panes_[1]->setLegend(distanceLegend(tr("Distance from %1").arg(name(0)), shown_->range,
+                                      tr("in the model's unit; + is outside")));
+}
+
+void CompareWindow::showMorph() {
+  if (mode() != Mode::Morph || !shown_) {
+    return;
+  }
+  const auto& [a, b] = shown_->sides;
+  if (shown_->sameFaces) {
+    panes_[1]->showBetween(a.drawn, b.drawn, share());
+    words_->clear();
+  } else {
+    panes_[1]->showSurface(share() < 0.5 ? a.drawn : b.drawn);
+    words_->setText(!a.mesh || !b.mesh
+                        ? QString()
+                        : tr("There is nothing between the two: their combined tiles differ, so that the "
+                             "triangles of one are not those of the other. Flip shows them in turn."));
+  }
+  words_->setVisible(!words_->text().isEmpty());
+  showProblems();
+}
+
+// Each pane says why it is empty.
+void CompareWindow::showProblems() {
+  const auto& [a, b] = shown_->sides;
+  frames_[0]->setProblem(a.problem, {});
+  QString problem = b.problem;
+  if (mode() == Mode::Difference) {
+    problem = without();
+  } else if (mode() == Mode::Morph) {
+    problem = share() < 0.5 ? a.problem : b.problem;
+  }
+  frames_[1]->setProblem(problem, {});
+}
+
+// Why there is no difference; empty: there is one.
+QString CompareWindow::without() const {
+  for (const std::size_t side : {0U, 1U}) {
+    if (!shown_->sides[side].mesh) {
+      return tr("No difference: %1 has no result. %2").arg(name(side), shown_->sides[side].problem);
+    }
+  }
+  return {};
+}
+
+double CompareWindow::share() const {
+  return static_cast<double>(slider_->value()) / kSliderSteps;
+}
+
+void CompareWindow::flip() {
+  play_->setChecked(false);
+  slider_->setValue(share() < 0.5 ? kSliderSteps : 0);
+}
+
+void CompareWindow::play(bool on) {
+  if (!on) {
+    animation_->stop();
+    return;
+  }
+  // From where the slider is.
+  const double phase = std::acos(1 - 2 * share()) / (2 * std::numbers::pi);
+  animation_->start();
+  animation_->setCurrentTime(static_cast<int>(phase * kToAndFroMilliseconds));
+}
+
+void CompareWindow::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  panes_[mode() == Mode::SideBySide ? 0 : 1]->setFocus();
+}
+
+void CompareWindow::hideEvent(QHideEvent* event) {
+  play_->setChecked(false);
+  QWidget::hideEvent(event);
+}
+
+}  // namespace graftsman

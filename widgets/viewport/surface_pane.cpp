@@ -1,0 +1,226 @@
+#include "widgets/viewport/surface_pane.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <Eigen/Geometry>
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <numeric>
+
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/camera_view.h"
+#include "widgets/viewport/colouring_scale.h"
+#include "widgets/viewport/shading.h"
+
+namespace graftsman {
+
+struct DrawnSurface {
+  std::shared_ptr<const TriangleMesh> mesh;
+  Shading shading;
+  vtkSmartPointer<vtkPolyData> data;
+};
+
+namespace {
+
+constexpr double kLightInShadow = 0.1;
+constexpr int kScaleSteps = 20;  // of the legend's bar
+
+vtkSmartPointer<vtkFloatArray> normalsArray(const std::vector<Eigen::Vector3f>& normals) {
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(normals.size()));
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    array->SetTypedTuple(static_cast<vtkIdType>(i), normals[i].data());
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkCellArray> cellsOf(const std::vector<Face>& faces) {
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->AllocateExact(static_cast<vtkIdType>(faces.size()), 3 * static_cast<vtkIdType>(faces.size()));
+  for (const Face& face : faces) {
+    const std::array<vtkIdType, 3> corners = {face[0], face[1], face[2]};
+    cells->InsertNextCell(3, corners.data());
+  }
+  return cells;
+}
+
+vtkSmartPointer<vtkPoints> pointsArray(std::size_t count) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
+  return points;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> distanceColours(const Shading& shading,
+                                                      std::span<const double> distances, double range) {
+  auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(static_cast<vtkIdType>(shading.meshVertices.size()));
+  for (std::size_t i = 0; i < shading.meshVertices.size(); ++i) {
+    const Rgba colour = divergingColour(distances[static_cast<std::size_t>(shading.meshVertices[i])] / range);
+    const std::array<unsigned char, 3> rgb = {colour.r, colour.g, colour.b};
+    colours->SetTypedTuple(static_cast<vtkIdType>(i), rgb.data());
+  }
+  return colours;
+}
+
+// The creases stay where the first surface has them.
+std::vector<Eigen::Vector3f> normalsBetween(const Shading& shading, vtkPoints& points, double unit) {
+  std::vector<Eigen::Vector3f> normals(shading.meshVertices.size(), Eigen::Vector3f::Zero());
+  const auto* at = static_cast<const double*>(points.GetVoidPointer(0));
+  const auto place = [at](Index v) { return Eigen::Map<const Point>(at + 3 * static_cast<std::size_t>(v)); };
+  for (const Face& face : shading.faces) {
+    const Eigen::Vector3d ab = unit * (place(face[1]) - place(face[0]));
+    const Eigen::Vector3d ac = unit * (place(face[2]) - place(face[0]));
+    const Eigen::Vector3f normal = ab.cross(ac).cast<float>();
+    for (const Index v : face) {
+      normals[static_cast<std::size_t>(v)] += normal;
+    }
+  }
+  for (Eigen::Vector3f& normal : normals) {
+    normal.normalize();
+  }
+  return normals;
+}
+
+}  // namespace
+
+std::shared_ptr<const DrawnSurface> drawSurface(std::shared_ptr<const TriangleMesh> mesh,
+                                                std::span<const double> distances, double range) {
+  auto drawn = std::make_shared<DrawnSurface>();
+  drawn->mesh = std::move(mesh);
+  drawn->shading = shade(*drawn->mesh);
+  const std::vector<Index>& vertices = drawn->shading.meshVertices;
+  const auto points = pointsArray(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    points->SetPoint(static_cast<vtkIdType>(i), drawn->mesh->point(vertices[i]).data());
+  }
+  drawn->data = vtkSmartPointer<vtkPolyData>::New();
+  drawn->data->SetPoints(points);
+  drawn->data->SetPolys(cellsOf(drawn->shading.faces));
+  drawn->data->GetPointData()->SetNormals(normalsArray(drawn->shading.normals));
+  if (!distances.empty()) {
+    drawn->data->GetPointData()->SetScalars(distanceColours(drawn->shading, distances, range));
+  }
+  // What VTK would otherwise find lazily, on the thread that draws.
+  drawn->data->ComputeBounds();
+  drawn->data->BuildCells();
+  return drawn;
+}
+
+Legend distanceLegend(const QString& title, double range, const QString& note) {
+  Legend legend;
+  legend.title = title;
+  for (int i = 0; i <= kScaleSteps; ++i) {
+    legend.bar.push_back(toQColor(divergingColour(2.0 * i / kScaleSteps - 1)));
+  }
+  const QString end = QLocale().toString(range, 'g', 3);
+  legend.ticks = {{0, QStringLiteral("−") + end}, {0.5, QStringLiteral("0")}, {1, QStringLiteral("+") + end}};
+  legend.note = note;
+  return legend;
+}
+
+struct SurfacePane::Content {
+  std::shared_ptr<const DrawnSurface> surface;  // shown; between two, the first
+  vtkNew<vtkPolyData> between;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+  Legend legend;
+};
+
+SurfacePane::SurfacePane(QWidget* parent) : Viewport(parent), content_(std::make_unique<Content>()) {
+  setObjectName(QStringLiteral("surfacePane"));
+  setAccessibleName(tr("Surface"));
+  content_->mapper->SetColorModeToDirectScalars();
+  content_->actor->SetMapper(content_->mapper);
+  content_->actor->GetProperty()->SetAmbient(kLightInShadow);
+  content_->actor->GetProperty()->SetDiffuse(1 - kLightInShadow);
+  content_->actor->SetVisibility(false);
+  renderer()->AddActor(content_->actor);
+  SurfacePane::applyTheme(themeFor(palette()));
+}
+
+SurfacePane::~SurfacePane() = default;
+
+void SurfacePane::showSurface(std::shared_ptr<const DrawnSurface> surface) {
+  Content& content = *content_;
+  content.surface = std::move(surface);
+  content.actor->SetVisibility(content.surface != nullptr);
+  if (content.surface) {
+    content.mapper->SetInputData(content.surface->data);
+    content.mapper->SetScalarVisibility(content.surface->data->GetPointData()->GetScalars() != nullptr);
+    keepFramed();
+  }
+  renderLater();
+}
+
+void SurfacePane::showBetween(const std::shared_ptr<const DrawnSurface>& a,
+                              const std::shared_ptr<const DrawnSurface>& b, double t) {
+  if (t <= 0 || t >= 1) {
+    showSurface(t <= 0 ? a : b);
+    return;
+  }
+  Content& content = *content_;
+  const std::vector<Index>& vertices = a->shading.meshVertices;
+  const auto points = pointsArray(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Point at = (1 - t) * a->mesh->point(vertices[i]) + t * b->mesh->point(vertices[i]);
+    points->SetPoint(static_cast<vtkIdType>(i), at.data());
+  }
+  const double unit = a->mesh->diagonal() > 0 ? 1 / a->mesh->diagonal() : 1;
+  if (content.between->GetPolys() != a->data->GetPolys()) {
+    content.between->SetPolys(a->data->GetPolys());
+  }
+  content.between->SetPoints(points);
+  content.between->GetPointData()->SetNormals(normalsArray(normalsBetween(a->shading, *points, unit)));
+  content.surface = a;
+  content.mapper->SetInputData(content.between);
+  content.mapper->SetScalarVisibility(false);
+  content.actor->SetVisibility(true);
+  renderLater();
+}
+
+void SurfacePane::setLegend(Legend legend) {
+  content_->legend = std::move(legend);
+  setAccessibleDescription(content_->legend.text());
+  repaintLater();
+}
+
+std::vector<Point> SurfacePane::shownPoints() const {
+  std::vector<Point> points;
+  if (content_->surface && content_->actor->GetVisibility() != 0) {
+    // The first shaded vertices are the mesh's own, in order.
+    points.resize(static_cast<std::size_t>(content_->surface->mesh->vertexCount()));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      content_->mapper->GetInput()->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+    }
+  }
+  return points;
+}
+
+void SurfacePane::paintOver(QPainter& painter, const CameraView& view) {
+  if (!content_->legend.title.isEmpty()) {
+    painter.setFont(font());
+    paintLegend(painter, content_->legend, QRectF(QPointF(), view.size), palette());
+  }
+}
+
+void SurfacePane::applyTheme(const Theme& theme) {
+  content_->actor->GetProperty()->SetColor(theme.mesh.redF(), theme.mesh.greenF(), theme.mesh.blueF());
+}
+
+}  // namespace graftsman
+
+#include "moc_surface_pane.cpp"  // NOLINT(bugprone-suspicious-include)
