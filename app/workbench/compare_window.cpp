@@ -134,16 +134,10 @@ QWidget* CompareWindow::modeRow() {
 }
 
 QWidget* CompareWindow::morphRow() {
-  auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(sizes::kGrid, sizes::kGrid / 2, sizes::kGrid, sizes::kGrid / 2);
+  morph_ = new QWidget(this);
+  auto* row = new QHBoxLayout(morph_);
+  row->setContentsMargins(sizes::kGrid, 0, sizes::kGrid, sizes::kGrid);
   row->setSpacing(sizes::kGrid);
-  words_ = new QLabel(bar);
-  words_->setObjectName("compareWords");
-  words_->setWordWrap(true);
-  morph_ = new QWidget(bar);
-  auto* tools = new QHBoxLayout(morph_);
-  tools->setContentsMargins(0, 0, 0, 0);
   flip_ = textButton("compareFlip", tr("Flip"), tr("Show the other one at once (X)"), morph_);
   play_ = textButton("comparePlay", tr("Play"), tr("From A to B and back, until pressed again (P)"), morph_);
   play_->setCheckable(true);
@@ -154,13 +148,11 @@ QWidget* CompareWindow::morphRow() {
   slider_->setRange(0, kSliderSteps);
   slider_->setPageStep(kSliderSteps / 10);
   slider_->setSingleStep(kSliderSteps / 100);
-  tools->addWidget(flip_);
-  tools->addWidget(play_);
-  tools->addWidget(new QLabel(tr("A"), morph_));
-  tools->addWidget(slider_, 1);
-  tools->addWidget(new QLabel(tr("B"), morph_));
-  row->addWidget(morph_, 1);
-  row->addWidget(words_, 1);
+  row->addWidget(flip_);
+  row->addWidget(play_);
+  row->addWidget(new QLabel(tr("A"), morph_));
+  row->addWidget(slider_, 1);
+  row->addWidget(new QLabel(tr("B"), morph_));
 
   connect(flip_, &QToolButton::clicked, this, &CompareWindow::flip);
   connect(play_, &QToolButton::toggled, this, &CompareWindow::play);
@@ -177,7 +169,7 @@ QWidget* CompareWindow::morphRow() {
       slider_->setValue(static_cast<int>(std::lround(t * kSliderSteps)));
     }
   });
-  return bar;
+  return morph_;
 }
 
 void CompareWindow::connectKeys() {
@@ -312,7 +304,7 @@ void CompareWindow::showNames() {
 }
 
 void CompareWindow::showContent() {
-  words_->clear();
+  frames_[1]->setHint({});
   panes_[1]->setLegend({});
   if (shown_) {
     panes_[0]->showSurface(shown_->sides[0].drawn);
@@ -332,7 +324,6 @@ void CompareWindow::showContent() {
     }
     showProblems();
   }
-  words_->parentWidget()->setVisible(mode() != Mode::SideBySide);
 }
 
 void CompareWindow::showDifference() {
@@ -340,16 +331,17 @@ void CompareWindow::showDifference() {
     return;
   }
   const SurfaceDifference& difference = *shown_->difference;
-  if (shown_->range == 0) {
-    words_->setText(tr("The two have the same surface."));
+  const double farthest = std::max({0.0, difference.greatest, -difference.least});
+  if (farthest == 0) {
+    frames_[1]->setHint(tr("The two have the same surface."));
     panes_[1]->setLegend({});
     return;
   }
-  words_->setText(tr("Greatest outward %1, greatest inward %2, mean %3, in the model's unit.")
-                      .arg(length(std::max(0.0, difference.greatest)),
-                           length(std::max(0.0, -difference.least)), length(difference.meanAbsolute)));
-  panes_[1]->setLegend(distanceLegend(tr("Distance from %1").arg(name(0)), shown_->range,
-                                      tr("in the model's unit; + is outside")));
+  frames_[1]->setHint(tr("Greatest outward %1, greatest inward %2, mean %3, in the model's unit.")
+                          .arg(length(std::max(0.0, difference.greatest)),
+                               length(std::max(0.0, -difference.least)), length(difference.meanAbsolute)));
+  panes_[1]->setLegend(distanceLegend(tr("Distance from %1").arg(name(0)), difference.usual,
+                                      difference.usual < farthest, tr("in the model's unit; + is outside")));
 }
 
 void CompareWindow::showMorph() {
@@ -359,15 +351,14 @@ void CompareWindow::showMorph() {
   const auto& [a, b] = shown_->sides;
   if (shown_->sameFaces) {
     panes_[1]->showBetween(a.drawn, b.drawn, share());
-    words_->clear();
   } else {
     panes_[1]->showSurface(share() < 0.5 ? a.drawn : b.drawn);
-    words_->setText(!a.mesh || !b.mesh
-                        ? QString()
-                        : tr("There is nothing between the two: their combined tiles differ, so that the "
-                             "triangles of one are not those of the other. Flip shows them in turn."));
+    if (a.mesh && b.mesh) {
+      frames_[1]->setHint(tr(
+          "There is nothing between the two: their combined tiles differ, so that the triangles of one are "
+          "not those of the other. Flip shows them in turn."));
+    }
   }
-  words_->setVisible(!words_->text().isEmpty());
   showProblems();
 }
 

@@ -11,7 +11,6 @@
 #include "widgets/viewport/viewport.h"
 
 class QButtonGroup;
-class QLabel;
 class QSlider;
 class QToolButton;
 class QVariantAnimation;
@@ -84,7 +83,6 @@ class CompareWindow : public QWidget {
   QToolButton* flip_ = nullptr;
   QToolButton* play_ = nullptr;
   QSlider* slider_ = nullptr;
-  QLabel* words_ = nullptr;  // the difference's numbers, or why there is no morph
   QVariantAnimation* animation_;
 };
 

@@ -1,7 +1,6 @@
 #include "app/workbench/comparison.h"
 
 #include <QMetaObject>
-#include <algorithm>
 #include <new>
 
 #include "widgets/viewport/surface_pane.h"
@@ -47,8 +46,8 @@ std::shared_ptr<const Compared> compareStates(const std::array<ComparedState, 2>
   made->sameFaces = a->vertexCount() == b->vertexCount() && a->faces() == b->faces();
   if (Result<SurfaceDifference> difference = differenceOf(*b, a, progress.span(2 * kOneState, 1))) {
     made->difference = *std::move(difference);
-    made->range = std::max({0.0, made->difference->greatest, -made->difference->least});
-    made->coloured = drawSurface(b, made->difference->distances, made->range > 0 ? made->range : 1);
+    const double range = made->difference->usual;
+    made->coloured = drawSurface(b, made->difference->distances, range > 0 ? range : 1);
   }
   return made;
 }

@@ -32,7 +32,6 @@ struct Compared {
   };
   std::array<One, 2> sides;
   std::optional<SurfaceDifference> difference;   // of the second from the first; nullopt: one has no result
-  double range = 0;                              // the greatest of its distances, without sign
   std::shared_ptr<const DrawnSurface> coloured;  // the second, by its distances
   bool sameFaces = false;                        // one can become the other
 };

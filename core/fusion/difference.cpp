@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/mesh/nearest_surface.h"
@@ -111,6 +112,31 @@ std::vector<double> areasRoundVertices(const TriangleMesh& mesh) {
   return areas;
 }
 
+constexpr double kUsualShare = 0.95;
+constexpr double kDiffers = 1e-6;  // × the greatest distance: less is rounding, or cannot be seen beside it
+
+double usualDistance(const std::vector<double>& areas, const SurfaceDifference& difference) {
+  const double farthest = std::max({0.0, difference.greatest, -difference.least});
+  std::vector<std::pair<double, double>> differing;  // distance, area
+  double area = 0;
+  for (std::size_t v = 0; v < areas.size(); ++v) {
+    const double distance = std::abs(difference.distances[v]);
+    if (areas[v] > 0 && distance > kDiffers * farthest) {
+      differing.emplace_back(distance, areas[v]);
+      area += areas[v];
+    }
+  }
+  std::sort(differing.begin(), differing.end());
+  double below = 0;
+  for (const auto& [distance, ofVertex] : differing) {
+    below += ofVertex;
+    if (below >= kUsualShare * area) {
+      return distance;
+    }
+  }
+  return farthest;
+}
+
 // In one order, whatever the threads were.
 void summarise(const TriangleMesh& surface, SurfaceDifference& difference) {
   const std::vector<double> areas = areasRoundVertices(surface);
@@ -129,6 +155,7 @@ void summarise(const TriangleMesh& surface, SurfaceDifference& difference) {
     sum += areas[v] * std::abs(distance);
   }
   difference.meanAbsolute = area > 0 ? sum / area : 0;
+  difference.usual = usualDistance(areas, difference);
 }
 
 }  // namespace

@@ -153,6 +153,20 @@ class DifferenceTest : public QObject {
     QCOMPARE(difference->least, 0.0);
   }
 
+  void theUsualDistanceIsNotThatOfASpike() {
+    const auto plane = shapes::grid(20);
+    // A third of the square is raised, one vertex of it far.
+    const auto bumpy = changed(*plane, [](const Point& p) -> Point {
+      const bool spike = (p - Point(0.15, 0.5, 0)).norm() < 0.01;
+      return p + Point(0, 0, spike ? 0.05 : p.x() < 0.34 ? 0.01 : 0);
+    });
+    const auto difference = differenceOf(*bumpy, plane, {});
+    QVERIFY(difference);
+    QCOMPARE(difference->greatest, 0.05);
+    QCOMPARE(difference->usual, 0.01);
+    QCOMPARE(differenceOf(*plane, plane, {})->usual, 0.0);
+  }
+
   void verticesWithoutFacesCountForNothing() {
     const auto plane = shapes::grid(4);
     std::vector<Point> points = plane->points();
@@ -175,6 +189,7 @@ class DifferenceTest : public QObject {
     QCOMPARE(four->greatest, one->greatest);
     QCOMPARE(four->least, one->least);
     QCOMPARE(four->meanAbsolute, one->meanAbsolute);
+    QCOMPARE(four->usual, one->usual);
   }
 
   void itStopsWhenAsked() {

@@ -120,14 +120,16 @@ std::shared_ptr<const DrawnSurface> drawSurface(std::shared_ptr<const TriangleMe
   return drawn;
 }
 
-Legend distanceLegend(const QString& title, double range, const QString& note) {
+Legend distanceLegend(const QString& title, double range, bool beyond, const QString& note) {
   Legend legend;
   legend.title = title;
   for (int i = 0; i <= kScaleSteps; ++i) {
     legend.bar.push_back(toQColor(divergingColour(2.0 * i / kScaleSteps - 1)));
   }
   const QString end = QLocale().toString(range, 'g', 3);
-  legend.ticks = {{0, QStringLiteral("−") + end}, {0.5, QStringLiteral("0")}, {1, QStringLiteral("+") + end}};
+  legend.ticks = {{0, (beyond ? QStringLiteral("≤ −") : QStringLiteral("−")) + end},
+                  {0.5, QStringLiteral("0")},
+                  {1, (beyond ? QStringLiteral("≥ +") : QStringLiteral("+")) + end}};
   legend.note = note;
   return legend;
 }

@@ -18,8 +18,9 @@ struct DrawnSurface;
                                                               std::span<const double> distances = {},
                                                               double range = 1);
 
-/// The legend of such distances from −range to range, with numbers in the model's unit.
-[[nodiscard]] Legend distanceLegend(const QString& title, double range, const QString& note);
+/// The legend of such distances from −range to range, with numbers in the model's unit. `beyond`: some are
+/// greater and have the colours of the ends.
+[[nodiscard]] Legend distanceLegend(const QString& title, double range, bool beyond, const QString& note);
 
 /// A pane that only shows a surface, or what lies between two.
 class SurfacePane : public Viewport {
