@@ -7,7 +7,6 @@
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariantAnimation>
@@ -72,18 +71,17 @@ CompareWindow::CompareWindow(DocumentModel& model, const std::function<VariantsP
   setObjectName("compareWindow");
   setAttribute(Qt::WA_DeleteOnClose);
   resize(kFirstSize);
-  auto* splitter = new QSplitter(this);
-  splitter->setObjectName("compareSplitter");
-  splitter->setChildrenCollapsible(false);
+  auto* beside = new QHBoxLayout;
+  beside->setSpacing(sizes::kGrid / 2);
   for (const std::size_t side : {0U, 1U}) {
     const QString role = side == 0 ? tr("A") : tr("B");
     auto* pane = new SurfacePane(this);
     pane->setObjectName(side == 0 ? "comparePaneA" : "comparePaneB");
     pane->setAccessibleName(tr("%1, 3D view").arg(role));
-    auto* frame = new PaneFrame(role, {}, pane, splitter);
+    auto* frame = new PaneFrame(role, {}, pane, this);
     frame->setObjectName(side == 0 ? "compareFrameA" : "compareFrameB");
     frame->setEnlargeable(false);
-    splitter->addWidget(frame);
+    beside->addWidget(frame, 1);
     panes_[side] = pane;
     frames_[side] = frame;
     connect(pane, &Viewport::cameraChanged, this, [this, side](const Camera& camera) {
@@ -95,7 +93,7 @@ CompareWindow::CompareWindow(DocumentModel& model, const std::function<VariantsP
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(modeRow());
-  layout->addWidget(splitter, 1);
+  layout->addLayout(beside, 1);
   layout->addWidget(morphRow());
   connectKeys();
 

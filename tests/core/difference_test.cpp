@@ -117,6 +117,7 @@ class DifferenceTest : public QObject {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> about(-1, 2);
     std::vector<Point> places;
+    places.reserve(20000);
     for (int i = 0; i < 20000; ++i) {
       places.emplace_back(about(random), about(random), about(random));
     }

@@ -106,6 +106,7 @@ class CompareTest : public QObject {
     QCOMPARE(window.mode(), CompareWindow::Mode::SideBySide);
     QCOMPARE(window.windowTitle(), QString("Compare “Variant 1” with “Variant 2”"));
     QVERIFY(window.pane(0)->isVisible() && window.pane(1)->isVisible());
+    QVERIFY(std::abs(window.pane(0)->width() - window.pane(1)->width()) <= 1);
     QCOMPARE(window.pane(0)->shownPoints(), pointsOf(bench, 0));
     QCOMPARE(window.pane(1)->shownPoints(), pointsOf(bench, 1));
     QVERIFY(window.pane(0)->shownPoints() != window.pane(1)->shownPoints());
@@ -143,6 +144,7 @@ class CompareTest : public QObject {
     hands.press("compareDifference");
     QCOMPARE(window.mode(), CompareWindow::Mode::Difference);
     QVERIFY(!window.pane(0)->isVisible());
+    QTRY_COMPARE(window.pane(1)->width(), window.width());
     const std::vector<Face>& faces = window.shown()->sides[0].mesh->faces();
     QVERIFY(faces.size() > join.faces.size() / 2);
     const auto a = std::make_shared<const TriangleMesh>(pointsOf(bench, 0), faces);
