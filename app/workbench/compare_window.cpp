@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kSliderSteps = 1000;
 constexpr int kToAndFroMilliseconds = 3000;
-constexpr QSize kFirstSize(1120, 720);
+constexpr QSize kWindowSize(1120, 720);
 
 // What a state's result depends on: the fusions that it is made of.
 std::vector<const Fusion*> madeOf(const ComparedState& state) {
@@ -70,7 +70,7 @@ CompareWindow::CompareWindow(DocumentModel& model, const std::function<VariantsP
       animation_(new QVariantAnimation(this)) {
   setObjectName("compareWindow");
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(kFirstSize);
+  resize(kWindowSize);
   auto* beside = new QHBoxLayout;
   beside->setSpacing(sizes::kGrid / 2);
   for (const std::size_t side : {0U, 1U}) {

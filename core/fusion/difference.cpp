@@ -14,7 +14,7 @@
 namespace graftsman {
 namespace {
 
-constexpr std::size_t kGrain = 512;  // vertices: some milliseconds of work
+constexpr std::size_t kVerticesPerRange = 512;  // vertices: some milliseconds of work
 // × an edge's length: a nearest point of a face so near to an edge or a corner lies on it. Above what the
 // rounding of the nearest point can be, and so small that the surface is flat there.
 constexpr double kOnEdge = 1e-9;
@@ -171,7 +171,7 @@ Result<SurfaceDifference> differenceOf(const TriangleMesh& surface, std::shared_
   difference.distances.resize(surface.points().size());
   std::atomic<std::size_t> done = 0;
   std::atomic<bool> stopped = false;
-  parallelRanges(difference.distances.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(difference.distances.size(), kVerticesPerRange, [&](std::size_t begin, std::size_t end) {
     if (stopped) {
       return;
     }
