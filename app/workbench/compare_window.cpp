@@ -11,8 +11,6 @@
 #include <QVBoxLayout>
 #include <QVariantAnimation>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "app/workbench/first_view.h"
 #include "widgets/panels/pane_frame.h"
@@ -22,8 +20,6 @@
 namespace graftsman {
 namespace {
 
-constexpr int kSliderSteps = 1000;
-constexpr int kToAndFroMilliseconds = 3000;
 constexpr QSize kWindowSize(1120, 720);
 
 // What a state's result depends on: the fusions that it is made of.
@@ -42,16 +38,6 @@ Camera asSeenIn(const CameraView& view, const QSize& pane) {
   Camera camera = view.camera;
   camera.position = camera.pivot + std::max(1.0, wider) * (camera.position - camera.pivot);
   return camera;
-}
-
-QToolButton* textButton(const char* objectName, const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName(objectName);
-  button->setText(text);
-  button->setAccessibleName(text);
-  button->setToolTip(tip);
-  button->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus in the pane
-  return button;
 }
 
 QString length(double value) {
@@ -129,45 +115,6 @@ QWidget* CompareWindow::modeRow() {
   row->addStretch(1);
   connect(modes_, &QButtonGroup::idClicked, this, [this](int id) { setMode(static_cast<Mode>(id)); });
   return bar;
-}
-
-QWidget* CompareWindow::morphRow() {
-  morph_ = new QWidget(this);
-  auto* row = new QHBoxLayout(morph_);
-  row->setContentsMargins(sizes::kGrid, 0, sizes::kGrid, sizes::kGrid);
-  row->setSpacing(sizes::kGrid);
-  flip_ = textButton("compareFlip", tr("Flip"), tr("Show the other one at once (X)"), morph_);
-  play_ = textButton("comparePlay", tr("Play"), tr("From A to B and back, until pressed again (P)"), morph_);
-  play_->setCheckable(true);
-  slider_ = new QSlider(Qt::Horizontal, morph_);
-  slider_->setObjectName("compareSlider");
-  slider_->setAccessibleName(tr("From A to B"));
-  slider_->setToolTip(tr("How much of B"));
-  slider_->setRange(0, kSliderSteps);
-  slider_->setPageStep(kSliderSteps / 10);
-  slider_->setSingleStep(kSliderSteps / 100);
-  row->addWidget(flip_);
-  row->addWidget(play_);
-  row->addWidget(new QLabel(tr("A"), morph_));
-  row->addWidget(slider_, 1);
-  row->addWidget(new QLabel(tr("B"), morph_));
-
-  connect(flip_, &QToolButton::clicked, this, &CompareWindow::flip);
-  connect(play_, &QToolButton::toggled, this, &CompareWindow::play);
-  connect(slider_, &QSlider::valueChanged, this, &CompareWindow::showMorph);
-  // The person's hand on it: the animation lets go.
-  connect(slider_, &QSlider::actionTriggered, this, [this] { play_->setChecked(false); });
-  animation_->setStartValue(0.0);
-  animation_->setEndValue(1.0);
-  animation_->setDuration(kToAndFroMilliseconds);
-  animation_->setLoopCount(-1);
-  connect(animation_, &QVariantAnimation::valueChanged, this, [this](const QVariant& phase) {
-    if (play_->isChecked()) {
-      const double t = (1 - std::cos(2 * std::numbers::pi * phase.toDouble())) / 2;
-      slider_->setValue(static_cast<int>(std::lround(t * kSliderSteps)));
-    }
-  });
-  return morph_;
 }
 
 void CompareWindow::connectKeys() {
@@ -312,12 +259,7 @@ void CompareWindow::showContent() {
       panes_[1]->showSurface(shown_->coloured);
       showDifference();
     } else {
-      slider_->setEnabled(shown_->sameFaces);
-      play_->setEnabled(shown_->sameFaces);
-      if (!shown_->sameFaces) {
-        const QSignalBlocker blocker(slider_);
-        slider_->setValue(share() < 0.5 ? 0 : kSliderSteps);
-      }
+      enableMorph();
       showMorph();
     }
     showProblems();
@@ -342,24 +284,6 @@ void CompareWindow::showDifference() {
                                       difference.usual < farthest, tr("in the model's unit; + is outside")));
 }
 
-void CompareWindow::showMorph() {
-  if (mode() != Mode::Morph || !shown_) {
-    return;
-  }
-  const auto& [a, b] = shown_->sides;
-  if (shown_->sameFaces) {
-    panes_[1]->showBetween(a.drawn, b.drawn, share());
-  } else {
-    panes_[1]->showSurface(share() < 0.5 ? a.drawn : b.drawn);
-    if (a.mesh && b.mesh) {
-      frames_[1]->setHint(tr(
-          "There is nothing between the two: their combined tiles differ, so that the triangles of one are "
-          "not those of the other. Flip shows them in turn."));
-    }
-  }
-  showProblems();
-}
-
 // Each pane says why it is empty.
 void CompareWindow::showProblems() {
   const auto& [a, b] = shown_->sides;
@@ -381,26 +305,6 @@ QString CompareWindow::without() const {
     }
   }
   return {};
-}
-
-double CompareWindow::share() const {
-  return static_cast<double>(slider_->value()) / kSliderSteps;
-}
-
-void CompareWindow::flip() {
-  play_->setChecked(false);
-  slider_->setValue(share() < 0.5 ? kSliderSteps : 0);
-}
-
-void CompareWindow::play(bool on) {
-  if (!on) {
-    animation_->stop();
-    return;
-  }
-  // From where the slider is.
-  const double phase = std::acos(1 - 2 * share()) / (2 * std::numbers::pi);
-  animation_->start();
-  animation_->setCurrentTime(static_cast<int>(phase * kToAndFroMilliseconds));
 }
 
 void CompareWindow::showEvent(QShowEvent* event) {

@@ -60,8 +60,11 @@ class CompareWindow : public QWidget {
   void showNames();
   void showContent();
   void showDifference();
+  void enableMorph();
   void showMorph();
   void showProblems();
+  static QToolButton* textButton(const char* objectName, const QString& text, const QString& tip,
+                                 QWidget* parent);
   void flip();
   void play(bool on);
   [[nodiscard]] QString name(std::size_t side) const;
