@@ -152,6 +152,8 @@ void CompareWindow::setMode(Mode mode) {
   morph_->setVisible(mode == Mode::Morph);
   showNames();
   showContent();
+  layout()->invalidate();
+  layout()->activate();  // at once: no frame shows the new content in the old places
 }
 
 void CompareWindow::compare(VariantId a, VariantId b) {
