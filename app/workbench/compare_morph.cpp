@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "app/workbench/compare_window.h"
+#include "widgets/panels/pane_frame.h"
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/surface_pane.h"
 
