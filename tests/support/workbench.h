@@ -118,10 +118,11 @@ struct Workbench {
       qFatal("no dialog %s", name);
     }
     auto* typed = dialog->findChild<QLineEdit*>("fileNameEdit");
+    // It lists the folder on a thread of its own and may put another file's name in place of what was typed.
+    typed->setCompleter(nullptr);
     typed->setFocus();
     typed->selectAll();
     QTest::keyClicks(typed, path);
-    // The first Return may be the completer's.
     const QPointer<QFileDialog> open(dialog);
     const auto closed = [&] {
       if (open && open->isVisible()) {
