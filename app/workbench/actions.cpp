@@ -148,6 +148,8 @@ constexpr Entry kEntries[] = {
     {"variantsMenu", "crossVariants", TEXT("Cross: &loop of the first, curve of the second"), "",
      "Ctrl+Shift+X", TEXT("A new variant of two: all of the first, but the curve of the one selected last")},
     {"variantsMenu", ""},
+    {"variantsMenu", "sweep", TEXT("S&weep…"), "", "Ctrl+Shift+W",
+     TEXT("Many variants at once: every combination of curves, adjustments and other values")},
     {"variantsMenu", "picturesFromHere", TEXT("&Pictures from this view"), "picture", "Ctrl+Shift+V",
      TEXT("Draw all variants from where the result is seen now")},
 

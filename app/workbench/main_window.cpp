@@ -152,7 +152,7 @@ void MainWindow::requestRun(StageRunner::Urgency urgency) {
 void MainWindow::showBusy() {
   const bool busy = runner_->busy();
   tiles_->setProperty("busy", busy);
-  (*actions_)["cancel"]->setEnabled(busy || jobs_->busy());
+  (*actions_)["cancel"]->setEnabled(canCancel());
   if (busy) {
     tiles_->setBusy(0);
     fusion_->setBusy(0);

@@ -26,6 +26,7 @@ class PairsPanel;
 class StagesPanel;
 class StartPage;
 class StatusLine;
+class SweepDialog;
 class TilesPage;
 class Viewport;
 
@@ -96,12 +97,14 @@ class MainWindow : public QMainWindow {
   void connectTools();
   void connectFusions();
   void enableActions();
+  [[nodiscard]] bool canCancel() const;
   void showUndoTexts();
 
   // window_variants.cpp
   [[nodiscard]] VariantsPage::View resultView() const;
   void connectVariants();
   void enableVariants();
+  void showSweep();
 
   // window_files.cpp
   [[nodiscard]] ProjectView projectView();
@@ -138,6 +141,7 @@ class MainWindow : public QMainWindow {
   StagesPanel* stages_;
   FusionOutline* outline_;
   StatusLine* status_;
+  SweepDialog* sweep_ = nullptr;  // once it was asked for
   QDockWidget* pairsDock_ = nullptr;
   QDockWidget* curveDock_ = nullptr;
   QDockWidget* adjustmentDock_ = nullptr;

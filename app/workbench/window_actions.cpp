@@ -16,6 +16,7 @@
 #include "app/workbench/job_queue.h"
 #include "app/workbench/main_window.h"
 #include "app/workbench/status_line.h"
+#include "app/workbench/sweep_dialog.h"
 #include "app/workbench/tiles_page.h"
 #include "app/workbench/variant_pictures.h"
 #include "widgets/curve/fusion_curve_editor.h"
@@ -248,6 +249,11 @@ void MainWindow::showUndoTexts() {
   show((*actions_)["redo"], tr("&Redo"), model_->history()->redoText());
 }
 
+bool MainWindow::canCancel() const {
+  return runner_->busy() || jobs_->busy() || variants_->pictures()->missing() > 0 ||
+         (sweep_ != nullptr && sweep_->busy());
+}
+
 void MainWindow::enableActions() {
   const Fusion& fusion = model_->fusion();
   const std::size_t pairs = fusion.inputs.loop.size();
@@ -272,7 +278,7 @@ void MainWindow::enableActions() {
   enable("exportPicture", fused);
   enable("fuseOnto", fusion.part && fusion.base);
   enable("removeFusion", model_->document().fusions.size() > 1 || fusion.part || fusion.base);
-  enable("cancel", runner_->busy() || jobs_->busy() || variants_->pictures()->missing() > 0);
+  enable("cancel", canCancel());
   (*actions_)["paperPaths"]->setChecked(fusion.inputs.paths == PathMode::Paper);
   (*actions_)["largeTile"]->setChecked(fusion.inputs.tile.allowLargeTile);
   for (const char* name : {"nextColouring", "seam", "edges", "wireframe"}) {

@@ -4,12 +4,16 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QPalette>
+#include <QPushButton>
 #include <QScreen>
 #include <cstdio>
 
 #include "app/document/document_commands.h"
 #include "app/workbench/samples.h"
+#include "app/workbench/sweep_dialog.h"
 #include "core/picture/fusion_view.h"
 #include "tests/support/gallery.h"
 #include "tests/support/stacked.h"
@@ -50,14 +54,15 @@ class Photographer {
  public:
   Photographer(Workbench& bench, QString folder) : bench_(bench), folder_(std::move(folder)) {}
 
-  void take(const QString& name) {
+  void take(const QString& name) { take(name, bench_.window.get()); }
+
+  void take(const QString& name, const QWidget* window) {
     if (!bench_.settle()) {
       qFatal("the stages do not settle");
     }
     // What was asked to be drawn is drawn.
     QTest::qWait(200);
     const QString path = folder_ + '/' + name + ".png";
-    MainWindow* window = bench_.window.get();
     if (!window->screen()->grabWindow(window->winId()).save(path)) {
       qFatal("%s cannot be written", qPrintable(path));
     }
@@ -121,6 +126,35 @@ void keepVariants(const Workbench& bench) {
   }
 }
 
+// A sweep of the nose, done or under way.
+void takeSweep(const Workbench& bench, Photographer& photographer, const QString& name, bool running) {
+  keepVariants(bench);
+  bench.action("sweep")->trigger();
+  auto* dialog = bench.window->findChild<SweepDialog*>("sweepDialog");
+  const auto tick = [&](const char* list, const char* entry, bool on) {
+    auto* view = dialog->findChild<QListWidget*>(list);
+    view->findItems(entry, Qt::MatchStartsWith).front()->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+  };
+  tick("sweepCurves", "Paste", true);
+  tick("sweepCurves", "Half", true);
+  tick("sweepCurves", "Present", true);
+  tick("sweepShifts", "1", running);
+  tick("sweepAdjustments", "All steps", true);
+  tick("sweepAdjustments", "Rigid only", true);
+  dialog->findChild<QLineEdit*>("sweepFalloffs")
+      ->setText(running ? "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16" : "2, 5, 9");
+  dialog->findChild<QPushButton*>("sweepRun")->click();
+  if (!running && !QTest::qWaitFor([&] { return !dialog->busy(); }, kPatienceMs)) {
+    qFatal("the sweep does not end");
+  }
+  photographer.take(name, dialog);
+  dialog->cancel();
+  if (!QTest::qWaitFor([&] { return !dialog->busy(); }, kPatienceMs)) {
+    qFatal("the sweep does not end");
+  }
+  dialog->close();
+}
+
 void takeForReadme(Workbench& bench, Photographer& photographer, const QString& prefix) {
   bench.window->setMode(MainWindow::Mode::Start);
   photographer.take(prefix + "start");
@@ -132,6 +166,7 @@ void takeForReadme(Workbench& bench, Photographer& photographer, const QString& 
   photographer.take(prefix + "fusion");
   keepVariants(bench);
   photographer.take(prefix + "variants");
+  takeSweep(bench, photographer, prefix + "sweep-dialog", false);
 }
 
 // The start page's pictures of the samples' results.
@@ -199,6 +234,7 @@ void takeAll(Workbench& bench, Photographer& photographer, const QString& theme)
   bench.window->resize(1280, 800);
   bench.action("undo")->trigger();
   takeStacked(bench, photographer, theme);
+  takeSweep(bench, photographer, theme + "-sweep-running", true);
 }
 
 }  // namespace
