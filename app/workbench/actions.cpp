@@ -152,6 +152,8 @@ constexpr Entry kEntries[] = {
     {"variantsMenu", ""},
     {"variantsMenu", "compareVariants", TEXT("C&ompare"), "", "Ctrl+Shift+M",
      TEXT("Two variants beside each other, or the selected one and the present state")},
+    {"variantsMenu", "sweep", TEXT("S&weep…"), "", "Ctrl+Shift+W",
+     TEXT("Many variants at once: every combination of curves, adjustments and other values")},
     {"variantsMenu", "picturesFromHere", TEXT("&Pictures from this view"), "picture", "Ctrl+Shift+V",
      TEXT("Draw all variants from where the result is seen now")},
 

@@ -28,6 +28,7 @@ class StartPage;
 class StatusLine;
 class SuggestionStrip;
 class Suggester;
+class SweepDialog;
 class TilesPage;
 class Viewport;
 
@@ -100,6 +101,7 @@ class MainWindow : public QMainWindow {
   void connectTools();
   void connectFusions();
   void enableActions();
+  [[nodiscard]] bool canCancel() const;
   void showUndoTexts();
 
   // window_variants.cpp
@@ -107,6 +109,7 @@ class MainWindow : public QMainWindow {
   void connectVariants();
   void enableVariants();
   void compareVariants();
+  void showSweep();
 
   // window_suggestions.cpp
   void makeSuggestions();
@@ -149,6 +152,7 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   SuggestionStrip* suggestions_ = nullptr;
   Suggester* suggester_ = nullptr;
+  SweepDialog* sweep_ = nullptr;  // once it was asked for
   QDockWidget* pairsDock_ = nullptr;
   QDockWidget* curveDock_ = nullptr;
   QDockWidget* adjustmentDock_ = nullptr;

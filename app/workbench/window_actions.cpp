@@ -18,6 +18,7 @@
 #include "app/workbench/main_window.h"
 #include "app/workbench/status_line.h"
 #include "app/workbench/suggester.h"
+#include "app/workbench/sweep_dialog.h"
 #include "app/workbench/tiles_page.h"
 #include "app/workbench/variant_pictures.h"
 #include "widgets/curve/fusion_curve_editor.h"
@@ -255,7 +256,7 @@ void MainWindow::showUndoTexts() {
 
 bool MainWindow::canCancel() const {
   return runner_->busy() || jobs_->busy() || variants_->pictures()->missing() > 0 ||
-         (suggester_ && suggester_->busy());
+         (suggester_ && suggester_->busy()) || (sweep_ && sweep_->busy());
 }
 
 void MainWindow::enableActions() {

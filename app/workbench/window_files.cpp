@@ -19,6 +19,7 @@
 #include "app/workbench/samples.h"
 #include "app/workbench/start_page.h"
 #include "app/workbench/status_line.h"
+#include "app/workbench/sweep_dialog.h"
 #include "app/workbench/tiles_page.h"
 #include "app/workbench/variant_pictures.h"
 #include "app/workbench/view_state.h"
@@ -220,6 +221,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
       close();
     });
     return;
+  }
+  if (sweep_ != nullptr) {
+    sweep_->abandon();
   }
   saveLayout();
   event->accept();

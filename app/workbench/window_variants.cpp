@@ -6,6 +6,7 @@
 #include "app/workbench/fusion_page.h"
 #include "app/workbench/main_window.h"
 #include "app/workbench/status_line.h"
+#include "app/workbench/sweep_dialog.h"
 #include "app/workbench/variant_pictures.h"
 #include "app/workbench/variants_page.h"
 #include "widgets/variants/variants_gallery.h"
@@ -36,6 +37,7 @@ void MainWindow::connectVariants() {
   on("crossVariants", &VariantsPage::cross);
   on("picturesFromHere", &VariantsPage::takeView);
   connect((*actions_)["compareVariants"], &QAction::triggered, this, &MainWindow::compareVariants);
+  connect((*actions_)["sweep"], &QAction::triggered, this, &MainWindow::showSweep);
   VariantsGallery* gallery = variants_->gallery();
   connect((*actions_)["renameVariant"], &QAction::triggered, gallery, &VariantsGallery::rename);
   (*actions_)["crossVariants"]->setIconText(tr("Cross"));
@@ -73,6 +75,20 @@ void MainWindow::connectVariants() {
     menu->popup(history->viewport()->mapToGlobal(position));
   });
   enableVariants();
+}
+
+void MainWindow::showSweep() {
+  if (sweep_ == nullptr) {
+    sweep_ = new SweepDialog(*model_, this);
+    connect(sweep_, &SweepDialog::busyChanged, this, &MainWindow::enableActions);
+    connect(sweep_, &SweepDialog::told, status_, &StatusLine::tell);
+    connect((*actions_)["cancel"], &QAction::triggered, sweep_, &SweepDialog::cancel);
+    connect(files_, &ProjectFiles::stateChanged, sweep_, [this] { sweep_->setProjectPath(files_->path()); });
+    sweep_->setProjectPath(files_->path());
+  }
+  sweep_->show();
+  sweep_->raise();
+  sweep_->activateWindow();
 }
 
 void MainWindow::enableVariants() {

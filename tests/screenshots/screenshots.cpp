@@ -4,7 +4,10 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QPalette>
+#include <QPushButton>
 #include <QScreen>
 #include <QSlider>
 #include <cstdio>
@@ -13,6 +16,7 @@
 #include "app/workbench/compare_window.h"
 #include "app/workbench/samples.h"
 #include "app/workbench/suggester.h"
+#include "app/workbench/sweep_dialog.h"
 #include "core/picture/fusion_view.h"
 #include "tests/support/gallery.h"
 #include "tests/support/stacked.h"
@@ -184,6 +188,35 @@ void takeCompared(const Workbench& bench, Photographer& photographer, const QStr
   bench.activate();
 }
 
+// A sweep of the nose, done or under way.
+void takeSweep(const Workbench& bench, Photographer& photographer, const QString& name, bool running) {
+  keepVariants(bench);
+  bench.action("sweep")->trigger();
+  auto* dialog = bench.window->findChild<SweepDialog*>("sweepDialog");
+  const auto tick = [&](const char* list, const char* entry, bool on) {
+    auto* view = dialog->findChild<QListWidget*>(list);
+    view->findItems(entry, Qt::MatchStartsWith).front()->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+  };
+  tick("sweepCurves", "Paste", true);
+  tick("sweepCurves", "Half", true);
+  tick("sweepCurves", "Present", true);
+  tick("sweepShifts", "1", running);
+  tick("sweepAdjustments", "All steps", true);
+  tick("sweepAdjustments", "Rigid only", true);
+  dialog->findChild<QLineEdit*>("sweepFalloffs")
+      ->setText(running ? "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16" : "2, 5, 9");
+  dialog->findChild<QPushButton*>("sweepRun")->click();
+  if (!running && !QTest::qWaitFor([&] { return !dialog->busy(); }, kPatienceMs)) {
+    qFatal("the sweep does not end");
+  }
+  photographer.take(name, dialog);
+  dialog->cancel();
+  if (!QTest::qWaitFor([&] { return !dialog->busy(); }, kPatienceMs)) {
+    qFatal("the sweep does not end");
+  }
+  dialog->close();
+}
+
 void takeForReadme(Workbench& bench, Photographer& photographer, const QString& prefix) {
   bench.window->setMode(MainWindow::Mode::Start);
   photographer.take(prefix + "start");
@@ -199,6 +232,7 @@ void takeForReadme(Workbench& bench, Photographer& photographer, const QString& 
   keepVariants(bench);
   photographer.take(prefix + "variants");
   takeCompared(bench, photographer, prefix, false);
+  takeSweep(bench, photographer, prefix + "sweep-dialog", false);
 }
 
 // The start page's pictures of the samples' results.
@@ -270,6 +304,7 @@ void takeAll(Workbench& bench, Photographer& photographer, const QString& theme)
   bench.window->resize(1280, 800);
   bench.action("undo")->trigger();
   takeStacked(bench, photographer, theme);
+  takeSweep(bench, photographer, theme + "-sweep-running", true);
 }
 
 }  // namespace
