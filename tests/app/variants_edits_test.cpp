@@ -153,7 +153,7 @@ class VariantsEditsTest : public QObject {
       }
       results += resultsIn(model.document().fusions, known);
     }
-    QVERIFY2(edits > kSteps / 4 && jumps > kSteps / 8 && reopened > kSteps / 20 &&
+    QVERIFY2(edits > kSteps / 4 && jumps > kSteps / 12 && reopened > kSteps / 20 &&
                  results > static_cast<std::size_t>(2 * kSteps) && kinds.size() > 8,
              qPrintable(QString("%1 edits of %2 kinds, %3 jumps, %4 files, %5 results")
                             .arg(edits)
