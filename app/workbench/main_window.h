@@ -101,7 +101,6 @@ class MainWindow : public QMainWindow {
   void connectTools();
   void connectFusions();
   void enableActions();
-  [[nodiscard]] bool canCancel() const;
   void showUndoTexts();
 
   // window_variants.cpp
