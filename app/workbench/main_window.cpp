@@ -8,18 +8,22 @@
 #include <QStyle>
 #include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "app/document/commands.h"
 #include "app/document/loop_editor.h"
 #include "app/document/stage_runner.h"
 #include "app/workbench/actions.h"
 #include "app/workbench/autosave.h"
+#include "app/workbench/compare_window.h"
 #include "app/workbench/first_view.h"
 #include "app/workbench/fusion_outline.h"
 #include "app/workbench/fusion_page.h"
 #include "app/workbench/job_queue.h"
 #include "app/workbench/start_page.h"
 #include "app/workbench/status_line.h"
+#include "app/workbench/suggester.h"
+#include "app/workbench/sweep_dialog.h"
 #include "app/workbench/tiles_page.h"
 #include "widgets/curve/fusion_curve_editor.h"
 #include "widgets/curve/fusion_curve_panel.h"
@@ -90,6 +94,10 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
+  // What asks the window ends before it, and so do the windows over it.
+  delete std::exchange(suggester_, nullptr);
+  delete std::exchange(sweep_, nullptr);
+  qDeleteAll(findChildren<CompareWindow*>());
   // What ends with the document tells it to nobody.
   model_->history()->disconnect();
   model_->disconnect();

@@ -1,10 +1,12 @@
 #include <QtTest>
 #include <set>
+#include <span>
 
 #include "core/base/parallel.h"
 #include "core/sweep/suggest.h"
 #include "core/sweep/tile_samples.h"
 #include "tests/support/samples.h"
+#include "tests/support/steps.h"
 
 using namespace graftsman;
 
@@ -59,7 +61,8 @@ class SuggestTest : public QObject {
   void cleanup() { setThreadCount(0); }
 
   void everySampleHasSixToNineSuggestionsThatDifferAndFuse() {
-    for (const std::string& name : samples::kScenarios) {
+    const auto share = static_cast<std::size_t>(steps(static_cast<int>(samples::kScenarios.size())));
+    for (const std::string& name : std::span(samples::kScenarios).last(share)) {
       const FusionInputs inputs = samples::load(name);
       const FusionResults present = update(inputs, {}, {});
       const NearestSurface base(inputs.base);
@@ -236,7 +239,7 @@ class SuggestTest : public QObject {
     QVERIFY(whole);
     QVERIFY(calls > 100);
     QVERIFY(last > 0.9);
-    for (int k = 1; k <= calls; k += 1 + calls / 40) {
+    for (int k = 1; k <= calls; k += 1 + calls / steps(40)) {
       int left = k;
       const Result<Suggestions> stopped =
           suggest(present, base, Progress([&](double) { return --left > 0; }, std::chrono::seconds(0)));
