@@ -62,7 +62,8 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
       adjustment_(new AdjustmentPanel),
       stages_(new StagesPanel),
       outline_(new FusionOutline(*model_, this)),
-      status_(new StatusLine) {
+      status_(new StatusLine),
+      ending_(std::make_shared<std::atomic<bool>>(false)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
   pages_->setObjectName("pages");
@@ -89,6 +90,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
+  *ending_ = true;
   // What ends with the document tells it to nobody.
   model_->history()->disconnect();
   model_->disconnect();
