@@ -41,6 +41,8 @@ constexpr Entry kEntries[] = {
      TEXT("Write the fused mesh to a file")},
     {"fileMenu", "exportPicture", TEXT("Export p&icture…"), "picture", "Ctrl+Shift+E",
      TEXT("Write what the result's pane shows as a picture")},
+    {"fileMenu", "exportFrames", TEXT("Export &frames…"), "", "Ctrl+Alt+E",
+     TEXT("Write the pictures of a film: once round the result, or from the base's shape to the part's")},
     {"fileMenu", ""},
     {"fileMenu", "quit", TEXT("&Quit"), "", "Ctrl+Q", TEXT("End the program")},
 

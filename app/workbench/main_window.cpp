@@ -66,7 +66,8 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
       adjustment_(new AdjustmentPanel),
       stages_(new StagesPanel),
       outline_(new FusionOutline(*model_, this)),
-      status_(new StatusLine) {
+      status_(new StatusLine),
+      ending_(std::make_shared<std::atomic<bool>>(false)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
   pages_->setObjectName("pages");
@@ -94,6 +95,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
+  *ending_ = true;
   // What asks the window ends before it, and so do the windows over it.
   delete std::exchange(suggester_, nullptr);
   delete std::exchange(sweep_, nullptr);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <atomic>
 #include <memory>
 
 #include "app/document/document_model.h"
@@ -124,6 +125,7 @@ class MainWindow : public QMainWindow {
   void askSaveAs(std::function<void()> then = {});
   void askExport();
   void askPicture();
+  void askFrames();
   /// Calls `then` at once if nothing is unsaved, else when the person has saved or let go.
   void askUnsaved(std::function<void()> then);
   [[nodiscard]] QFileDialog* fileDialog(const QString& name, const QString& title, const QString& filter);
@@ -160,7 +162,8 @@ class MainWindow : public QMainWindow {
   bool docksShared_ = false;  // the docks of the mode have their heights
   int lowerDocks_ = 0;        // height of those that both modes have; 0: not known yet
   QAction* lastTool_ = nullptr;
-  bool closing_ = false;  // the person has answered what to do with unsaved work
+  std::shared_ptr<std::atomic<bool>> ending_;  // true once the window goes: frames under way stop
+  bool closing_ = false;                       // the person has answered what to do with unsaved work
 };
 
 }  // namespace graftsman

@@ -49,6 +49,7 @@ void MainWindow::connectActions() {
   onTrigger(actions, "loadBase", this, [this] { askLoad(Side::Base); });
   onTrigger(actions, "exportResult", this, [this] { askExport(); });
   onTrigger(actions, "exportPicture", this, [this] { askPicture(); });
+  onTrigger(actions, "exportFrames", this, [this] { askFrames(); });
   onTrigger(actions, "quit", this, [this] { close(); });
 
   // During a drag, undo takes back the drag.
@@ -281,6 +282,7 @@ void MainWindow::enableActions() {
   const bool current = fused && same(fusion_->shown()->inputs, fusion.inputs);
   enable("exportResult", current);
   enable("exportPicture", fused);
+  enable("exportFrames", current);
   enable("fuseOnto", fusion.part && fusion.base);
   enable("removeFusion", model_->document().fusions.size() > 1 || fusion.part || fusion.base);
   enable("cancel", canCancel());

@@ -1,6 +1,7 @@
 #include <QBuffer>
 #include <QCloseEvent>
 #include <QDateTime>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
@@ -14,7 +15,9 @@
 #include "app/document/stage_runner.h"
 #include "app/workbench/actions.h"
 #include "app/workbench/autosave.h"
+#include "app/workbench/frames_dialog.h"
 #include "app/workbench/fusion_page.h"
+#include "app/workbench/job_queue.h"
 #include "app/workbench/main_window.h"
 #include "app/workbench/samples.h"
 #include "app/workbench/start_page.h"
@@ -185,6 +188,37 @@ void MainWindow::askPicture() {
     } else {
       showDamage(tr("%1: cannot be written. Choose another folder or name.").arg(path));
     }
+  });
+  dialog->open();
+}
+
+void MainWindow::askFrames() {
+  const VariantsPage::View view = resultView();
+  if (!view.results || !view.results->fused) {
+    return;
+  }
+  auto* dialog = new FramesDialog(this);
+  connect(dialog, &FramesDialog::accepted, this, [this, dialog, view] {
+    const QString folder = dialog->folder();
+    jobs_->start<Result<void>>(
+        tr("Exporting frames"),
+        [view, folder, film = dialog->film(), ending = ending_](const Progress& progress) {
+          return writeFrames(
+              std::filesystem::path(folder.toStdU16String()), *view.results,
+              withCameras(film, *view.results, view.pane),
+              Progress([progress, ending](double done) { return progress.keepGoing(done) && !*ending; }));
+        },
+        [this, folder, count = dialog->film().count](const Result<void>& written) {
+          if (written) {
+            status_->tell(tr("Exported %1 frames to %2").arg(count).arg(QDir::toNativeSeparators(folder)));
+          } else if (written.error().code == ErrorCode::Cancelled) {
+            status_->tell(
+                tr("Cancelled. The frames that were done are in %1").arg(QDir::toNativeSeparators(folder)));
+          } else {
+            showDamage(QString::fromStdString(written.error().message));
+          }
+        });
+    enableActions();
   });
   dialog->open();
 }
