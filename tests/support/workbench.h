@@ -121,11 +121,13 @@ struct Workbench {
     // It lists the folder on a thread of its own and may put another file's name in place of what was typed.
     typed->setCompleter(nullptr);
     typed->setFocus();
-    typed->selectAll();
-    QTest::keyClicks(typed, path);
     const QPointer<QFileDialog> open(dialog);
     const auto closed = [&] {
       if (open && open->isVisible()) {
+        // Anew each time: whether the name can be taken is decided when it changes, by what of the folder has
+        // been listed until then.
+        typed->clear();
+        QTest::keyClicks(typed, path);
         QTest::keyClick(typed, Qt::Key_Return);
       }
       return !open || !open->isVisible();
