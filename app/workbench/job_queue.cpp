@@ -11,15 +11,17 @@ JobQueue::~JobQueue() {
   {
     const std::lock_guard lock(mutex_);
     quit_ = true;
+    std::erase_if(waiting_, [](const Job& job) { return job.atEnd == AtEnd::Stop; });
+    stop_ = stop_ || running_ == AtEnd::Stop;
   }
   wake_.notify_one();
   worker_.join();
 }
 
-void JobQueue::start(const QString& what, std::function<Continuation(const Progress&)> work) {
+void JobQueue::start(const QString& what, std::function<Continuation(const Progress&)> work, AtEnd atEnd) {
   {
     const std::lock_guard lock(mutex_);
-    waiting_.push_back({what, std::move(work)});
+    waiting_.push_back({what, std::move(work), atEnd});
   }
   wake_.notify_one();
   if (unfinished_++ == 0) {
@@ -42,6 +44,7 @@ void JobQueue::work() {
     const Job job = std::move(waiting_.front());
     waiting_.pop_front();
     stop_ = false;
+    running_ = job.atEnd;
     lock.unlock();
     const Progress progress([this, what = job.what](double done) {
       QMetaObject::invokeMethod(

@@ -66,8 +66,7 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
       adjustment_(new AdjustmentPanel),
       stages_(new StagesPanel),
       outline_(new FusionOutline(*model_, this)),
-      status_(new StatusLine),
-      ending_(std::make_shared<std::atomic<bool>>(false)) {
+      status_(new StatusLine) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
   pages_->setObjectName("pages");
@@ -95,7 +94,6 @@ MainWindow::MainWindow(const QString& recoveryFolder, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  *ending_ = true;
   // What asks the window ends before it, and so do the windows over it.
   delete std::exchange(suggester_, nullptr);
   delete std::exchange(sweep_, nullptr);

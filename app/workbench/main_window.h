@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QMainWindow>
-#include <atomic>
 #include <memory>
 
 #include "app/document/document_model.h"
@@ -162,8 +161,7 @@ class MainWindow : public QMainWindow {
   bool docksShared_ = false;  // the docks of the mode have their heights
   int lowerDocks_ = 0;        // height of those that both modes have; 0: not known yet
   QAction* lastTool_ = nullptr;
-  std::shared_ptr<std::atomic<bool>> ending_;  // true once the window goes: frames under way stop
-  bool closing_ = false;                       // the person has answered what to do with unsaved work
+  bool closing_ = false;  // the person has answered what to do with unsaved work
 };
 
 }  // namespace graftsman

@@ -202,11 +202,9 @@ void MainWindow::askFrames() {
     const QString folder = dialog->folder();
     jobs_->start<Result<void>>(
         tr("Exporting frames"),
-        [view, folder, film = dialog->film(), ending = ending_](const Progress& progress) {
-          return writeFrames(
-              std::filesystem::path(folder.toStdU16String()), *view.results,
-              withCameras(film, *view.results, view.pane),
-              Progress([progress, ending](double done) { return progress.keepGoing(done) && !*ending; }));
+        [view, folder, film = dialog->film()](const Progress& progress) {
+          return writeFrames(std::filesystem::path(folder.toStdU16String()), *view.results,
+                             withCameras(film, *view.results, view.pane), progress);
         },
         [this, folder, count = dialog->film().count](const Result<void>& written) {
           if (written) {
@@ -217,7 +215,8 @@ void MainWindow::askFrames() {
           } else {
             showDamage(QString::fromStdString(written.error().message));
           }
-        });
+        },
+        JobQueue::AtEnd::Stop);
     enableActions();
   });
   dialog->open();

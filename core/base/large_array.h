@@ -10,8 +10,8 @@ namespace graftsman {
 void preferLargePages(void* begin, std::size_t bytes);
 
 /// Lets the process keep up to 64 MB of what it frees, rather than give it back to the system and fetch it
-/// again at the next run: a re-run fusion spends a sixth of its time on that. For a program's main(), before
-/// its threads start. Without effect but with glibc.
+/// again at the next run: an overlay that is run again spends a seventh of its time on that. For a program's
+/// main(), before its threads start. Without effect but with glibc.
 void keepFreedMemory();
 
 /// Makes room for `count` elements in an empty vector.

@@ -2,10 +2,12 @@
 
 #include <cctype>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "core/io/glb_writer.h"
 #include "core/io/mesh_file.h"
+#include "core/io/printable.h"
 
 namespace graftsman {
 namespace {
@@ -35,6 +37,17 @@ Result<void> writeResult(const std::filesystem::path& path, const FusionResults&
     part[static_cast<std::size_t>(target[i])] = results.combined->part[i];
   }
   return writeGlb(path, {results.join->points, part, results.fused->faces()});
+}
+
+Result<void> makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder, error)) {
+    return fail(ErrorCode::FileUnwritable, printable(folder.string(), 400) +
+                                               ": is no folder and cannot be made one" +
+                                               (error ? ": " + error.message() : std::string(".")));
+  }
+  return {};
 }
 
 }  // namespace graftsman

@@ -15,4 +15,8 @@ namespace graftsman {
 [[nodiscard]] Result<void> writeResult(const std::filesystem::path& path, const FusionResults& results,
                                        const Progress& progress);
 
+/// Makes the folder, and those above it, where it is none yet. Error: FileUnwritable, with the system's
+/// reason.
+[[nodiscard]] Result<void> makeFolder(const std::filesystem::path& folder);
+
 }  // namespace graftsman

@@ -80,7 +80,7 @@ void TriangleMesh::pairHalfedges() {
   }
   Index sum = 0;
   for (Index& end : ends) {
-    sum += std::exchange(end, sum);  // the beginning for now
+    sum += std::exchange(end, sum);  // its beginning, until it is filled
   }
   const auto bucketed = std::make_unique_for_overwrite<Bucketed[]>(static_cast<std::size_t>(halfedgeCount()));
   Index halfedge = 0;

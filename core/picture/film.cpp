@@ -6,7 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/write_file.h"
-#include "core/io/printable.h"
+#include "core/io/result_file.h"
 #include "core/picture/fusion_view.h"
 
 namespace graftsman {
@@ -31,12 +31,8 @@ Picture drawFrame(const FusionResults& results, const Film& film, int frame) {
 
 Result<void> writeFrames(const std::filesystem::path& folder, const FusionResults& results, const Film& film,
                          const Progress& progress) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder, error)) {
-    return fail(ErrorCode::FileUnwritable, printable(folder.string(), 400) +
-                                               ": is no folder and cannot be made one" +
-                                               (error ? ": " + error.message() : std::string(".")));
+  if (Result<void> made = makeFolder(folder); !made) {
+    return made;
   }
   // Each thread draws and writes frames of its own; the first in order that failed is told.
   std::vector<std::optional<Error>> failures(static_cast<std::size_t>(film.count));

@@ -12,12 +12,8 @@ SweepFolder::SweepFolder(std::filesystem::path folder, std::shared_ptr<const Loa
 
 Result<SweepFolder> SweepFolder::open(const std::filesystem::path& folder,
                                       std::shared_ptr<const LoadedSweep> sweep, const Progress& progress) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder, error)) {
-    return fail(ErrorCode::FileUnwritable, printable(folder.string(), 400) +
-                                               ": is no folder and cannot be made one" +
-                                               (error ? ": " + error.message() : std::string(".")));
+  if (Result<void> made = makeFolder(folder); !made) {
+    return fail(std::move(made.error()));
   }
   SweepFolder result(folder, std::move(sweep));
   const LoadedSweep& loaded = *result.sweep_;

@@ -83,6 +83,8 @@ class SweepFolderTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void cleanup() { setThreadCount(0); }
+
   void theTableHasARowForEachResult() {
     const QTemporaryDir dir;
     SweepOutput output;

@@ -1,7 +1,6 @@
 #include <QtTest>
 #include <set>
 
-#include "core/base/parallel.h"
 #include "core/io/mesh_file.h"
 #include "core/sweep/sweep_folder.h"
 #include "tests/support/samples.h"
@@ -14,8 +13,6 @@ class SweepTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void cleanup() { setThreadCount(0); }
-
   void theCountIsTheProductOfTheLists() {
     QCOMPARE(Sweep().count(), std::size_t{1});
     Sweep sweep = smallSweep();

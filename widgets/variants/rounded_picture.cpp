@@ -1,11 +1,16 @@
 #include "widgets/variants/rounded_picture.h"
 
 #include <QPainter>
-#include <QPainterPath>
 #include <QPixmapCache>
 #include <utility>
 
 namespace graftsman {
+
+QPainterPath roundedRect(const QRectF& rect, double radius) {
+  QPainterPath path;
+  path.addRoundedRect(rect, radius, radius);
+  return path;
+}
 
 QPixmap roundedPicture(const QImage& picture, const QSize& size, double radius, double ratio) {
   const QString key =
@@ -17,10 +22,9 @@ QPixmap roundedPicture(const QImage& picture, const QSize& size, double radius, 
     drawn.fill(Qt::transparent);
     QPainter painter(&drawn);
     painter.setRenderHint(QPainter::Antialiasing);
-    QPainterPath path;
-    path.addRoundedRect(QRectF({}, QSizeF(pixels)), radius * ratio, radius * ratio);
     painter.fillPath(
-        path, QBrush(picture.scaled(pixels, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation)));
+        roundedRect(QRectF({}, QSizeF(pixels)), radius * ratio),
+        QBrush(picture.scaled(pixels, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation)));
     painter.end();
     drawn.setDevicePixelRatio(ratio);
     pixmap = QPixmap::fromImage(std::move(drawn));

@@ -4,7 +4,6 @@
 #include <QBuffer>
 #include <QHelpEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QToolTip>
 #include <algorithm>
 
@@ -24,9 +23,7 @@ constexpr double kOutdatedOpacity = 0.45;
 constexpr int kLines = 2;  // of what is different
 
 QPainterPath roundedPath(const QRectF& rect) {
-  QPainterPath path;
-  path.addRoundedRect(rect, kSuggestionCorner, kSuggestionCorner);
-  return path;
+  return roundedRect(rect, kSuggestionCorner);
 }
 
 // The picture and what it is, as rich text.

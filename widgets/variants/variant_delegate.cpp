@@ -5,7 +5,6 @@
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 
 #include "widgets/theme/contrast.h"
@@ -33,9 +32,7 @@ QRect nameRect(const QRect& item) {
 }
 
 QPainterPath rounded(const QRectF& rect) {
-  QPainterPath path;
-  path.addRoundedRect(rect, kCorner, kCorner);
-  return path;
+  return roundedRect(rect, kCorner);
 }
 
 void paintPicture(QPainter& painter, const QRect& rect, const QStyleOptionViewItem& option,
