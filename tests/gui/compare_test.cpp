@@ -25,6 +25,12 @@ struct CompareHands {
   [[nodiscard]] T* part(const char* name) const {
     return window()->findChild<T*>(name);
   }
+  /// A shortcut of the comparison's window. On a bare display nothing but the request keeps a window active.
+  void key(std::size_t side, Qt::Key key) const {
+    window()->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window()));
+    QTest::keyClick(window()->pane(side), key);
+  }
   void press(const char* button) const { QTest::mouseClick(part<QToolButton>(button), Qt::LeftButton); }
   /// True once what was asked for is shown.
   [[nodiscard]] bool ready() const {
@@ -129,7 +135,7 @@ class CompareTest : public QObject {
       QVERIFY(window.pane(1 - side)->camera() == window.pane(side)->camera());
     }
     const QPointer<CompareWindow> open(&window);
-    QTest::keyClick(window.pane(0), Qt::Key_Escape);
+    hands.key(0, Qt::Key_Escape);
     QTRY_VERIFY(!open);
   }
 
@@ -204,7 +210,7 @@ class CompareTest : public QObject {
 
     hands.press("compareFlip");
     QCOMPARE(window.pane(1)->shownPoints(), b);
-    QTest::keyClick(window.pane(1), Qt::Key_X);
+    hands.key(1, Qt::Key_X);
     QCOMPARE(window.pane(1)->shownPoints(), a);
 
     // To B and back, as often as one likes; a hand on the slider ends it.
