@@ -93,7 +93,8 @@ void setColour(vtkActor& actor, const QColor& colour) {
 
 }  // namespace
 
-LoopScene::LoopScene(vtkRenderer& renderer) {
+LoopScene::LoopScene(vtkRenderer& renderer)
+    : standIn_(renderer, *tile_.actor, vtkSmartPointer<vtkPolyDataMapper>::New()) {
   for (Part* part : {&tile_, &sound_, &problem_}) {
     add(renderer, *part);
   }
@@ -126,10 +127,11 @@ void LoopScene::setPaths(const std::vector<PathMark>& paths) {
   dash_ = 0;
 }
 
-void LoopScene::setTile(const vtkSmartPointer<vtkPolyData>& tile) {
-  tile_.actor->SetVisibility(tile != nullptr);
-  if (tile) {
-    tile_.mapper->SetInputData(tile);
+void LoopScene::setTile(const DrawnTriangles& tile) {
+  tile_.actor->SetVisibility(tile.all != nullptr);
+  standIn_.setInput(tile.few);
+  if (tile.all) {
+    tile_.mapper->SetInputData(tile.all);
   }
 }
 

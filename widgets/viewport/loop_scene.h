@@ -10,9 +10,10 @@
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/camera_view.h"
 #include "widgets/viewport/mesh_pane.h"
+#include "widgets/viewport/shown_mesh.h"
+#include "widgets/viewport/stand_in.h"
 
 class vtkActor;
-class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
 
@@ -27,8 +28,10 @@ class LoopScene {
 
   /// Paths with a problem are dashed. Copies.
   void setPaths(const std::vector<PathMark>& paths);
-  /// What drawnTriangles() made of a tile; null: none.
-  void setTile(const vtkSmartPointer<vtkPolyData>& tile);
+  /// What drawTriangles() made of a tile; null: none.
+  void setTile(const DrawnTriangles& tile);
+  /// For the tile.
+  [[nodiscard]] StandIn& standIn() { return standIn_; }
   void applyTheme(const Theme& theme, Side side);
   /// Before each frame.
   void prepare(const CameraView& view);
@@ -41,6 +44,7 @@ class LoopScene {
   void add(vtkRenderer& renderer, Part& part);
 
   Part tile_;
+  StandIn standIn_;
   Part sound_;    // paths without a problem
   Part problem_;  // dashes
   std::vector<std::vector<Point>> problemPaths_;

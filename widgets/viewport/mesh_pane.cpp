@@ -26,11 +26,11 @@ std::shared_ptr<const ShownMesh> makeShown(std::shared_ptr<const TriangleMesh> m
   }
 }
 
-vtkSmartPointer<vtkPolyData> makeTile(const std::shared_ptr<const Tile>& tile) {
+DrawnTriangles makeTile(const Tile& tile, const Eigen::AlignedBox3d& box) {
   try {
-    return drawnTriangles(TriangleMesh(tile->points, tile->faces));
+    return drawTriangles(TriangleMesh(tile.points, tile.faces), box);
   } catch (const std::bad_alloc&) {
-    return nullptr;
+    return {};
   }
 }
 
@@ -60,9 +60,10 @@ Eigen::Vector3d outwardAt(const TriangleMesh& mesh, const SurfacePoint& at) {
 
 MeshPane::Content::Content(MeshPane& pane, Side meshSide)
     : side(meshSide),
+      standIn(*pane.renderer(), *actor, vtkSmartPointer<vtkPolyDataMapper>::New()),
       loop(*pane.renderer()),
       meshJob([&pane](std::shared_ptr<const ShownMesh> made) { pane.showMesh(std::move(made)); }),
-      tileJob([this, &pane](const vtkSmartPointer<vtkPolyData>& made) {
+      tileJob([this, &pane](const DrawnTriangles& made) {
         loop.setTile(made);
         pane.renderLater();
       }) {
@@ -113,7 +114,8 @@ void MeshPane::showMesh(std::shared_ptr<const ShownMesh> shown) {
   setPreparing(false);
   content_->actor->SetVisibility(content_->shown != nullptr);
   if (content_->shown) {
-    content_->mapper->SetInputData(content_->shown->drawn());
+    content_->mapper->SetInputData(content_->shown->drawn().all);
+    content_->standIn.setInput(content_->shown->drawn().few);
     keepFramed();
   }
   showMarks();
@@ -152,10 +154,10 @@ void MeshPane::showTile() {
   content_->drawnTile = tile;
   renderLater();
   if (tile && tile->faces.size() > kTileAtOnce) {
-    content_->tileJob.start([tile] { return makeTile(tile); });
+    content_->tileJob.start([tile, box = content_->shown->box()] { return makeTile(*tile, box); });
   } else {
     content_->tileJob.cancel();
-    content_->loop.setTile(tile ? makeTile(tile) : nullptr);
+    content_->loop.setTile(tile ? makeTile(*tile, content_->shown->box()) : DrawnTriangles());
   }
 }
 
@@ -231,6 +233,10 @@ void MeshPane::applyTheme(const Theme& theme) {
   vtkProperty& look = *content_->actor->GetProperty();
   look.SetColor(theme.mesh.redF(), theme.mesh.greenF(), theme.mesh.blueF());
   content_->loop.applyTheme(theme, content_->side);
+}
+
+std::vector<StandIn*> MeshPane::standIns() const {
+  return {&content_->standIn, &content_->loop.standIn()};
 }
 
 void MeshPane::prepareFrame(const CameraView& view) {

@@ -12,6 +12,7 @@
 #include "widgets/viewport/mesh_pane.h"
 #include "widgets/viewport/newest_job.h"
 #include "widgets/viewport/shown_mesh.h"
+#include "widgets/viewport/stand_in.h"
 
 namespace graftsman {
 
@@ -35,6 +36,7 @@ struct MeshPane::Content {
   Side side;
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
+  StandIn standIn;
   LoopScene loop;
   MarkPictures pictures;
 
@@ -44,7 +46,7 @@ struct MeshPane::Content {
   std::vector<PathMark> drawnPaths;
   std::shared_ptr<const Tile> drawnTile;
   NewestJob<std::shared_ptr<const ShownMesh>> meshJob;
-  NewestJob<vtkSmartPointer<vtkPolyData>> tileJob;
+  NewestJob<DrawnTriangles> tileJob;
 
   bool picking = true;
   Pointed hovered;

@@ -16,6 +16,7 @@
 #include <numeric>
 
 #include "widgets/viewport/morph_mapper.h"
+#include "widgets/viewport/triangle_cells.h"
 
 namespace graftsman {
 namespace {
@@ -46,10 +47,16 @@ struct SheetActor::Parts {
   vtkNew<vtkPolyData> mesh;
   vtkNew<MorphMapper> mapper;
   vtkNew<vtkActor> actor;
+  std::vector<Index> coarseSources;
+  vtkNew<vtkUnsignedCharArray> coarseColours;
+  vtkNew<vtkPolyData> coarse;
+  vtkNew<MorphMapper> coarseMapper;
+  StandIn standIn;
   bool visible = true;
   bool shown = false;
 
-  explicit Parts(vtkRenderer& scene) : renderer(scene) {
+  explicit Parts(vtkRenderer& scene)
+      : renderer(scene), standIn(scene, *actor, vtkSmartPointer<MorphMapper>(coarseMapper)) {
     positions->SetNumberOfComponents(3);
     normals->SetNumberOfComponents(3);
     colours->SetNumberOfComponents(4);
@@ -66,11 +73,22 @@ struct SheetActor::Parts {
     actor->GetProperty()->SetSpecularPower(20);
     actor->SetForceOpaque(true);  // or every change would look through the colours for transparent ones
     actor->SetVisibility(false);
+    coarseColours->SetNumberOfComponents(4);
+    coarse->SetPoints(points);
+    coarse->GetPointData()->SetNormals(normals);
+    standIn.setInput(coarse);
     renderer.AddActor(actor);
   }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
   ~Parts() { renderer.RemoveActor(actor); }
+
+  void forgetColours() {
+    for (vtkPolyData* data : {mesh.Get(), coarse.Get()}) {
+      data->GetPointData()->SetScalars(nullptr);
+      data->GetCellData()->SetScalars(nullptr);
+    }
+  }
 };
 
 SheetActor::SheetActor(vtkRenderer& renderer) : parts_(std::make_unique<Parts>(renderer)) {}
@@ -91,10 +109,12 @@ void SheetActor::show(const MorphSheet& sheet, const Point& centre) {
   vtkNew<vtkCellArray> cells;
   cells->SetData(parts.offsets, parts.corners);
   parts.mesh->SetPolys(cells);
-  parts.mesh->GetPointData()->SetScalars(nullptr);
-  parts.mesh->GetCellData()->SetScalars(nullptr);
+  parts.coarse->SetPolys(triangleCells(sheet.coarse != nullptr ? sheet.coarse->faces : std::vector<Face>()));
+  parts.coarseSources = sheet.coarse != nullptr ? sheet.coarse->sources : std::vector<Index>();
+  parts.forgetColours();
   parts.mapper->SetScalarVisibility(false);
   parts.mapper->setBox(sheet.box);
+  parts.coarseMapper->setBox(sheet.box);
   parts.actor->SetPosition(centre.x(), centre.y(), centre.z());
   parts.shown = faces > 0;
   parts.actor->SetVisibility(parts.shown && parts.visible);
@@ -104,8 +124,7 @@ void SheetActor::show(const MorphSheet& sheet, const Point& centre) {
 void SheetActor::hide() {
   parts_->shown = false;
   parts_->actor->SetVisibility(false);
-  parts_->mesh->GetPointData()->SetScalars(nullptr);
-  parts_->mesh->GetCellData()->SetScalars(nullptr);
+  parts_->forgetColours();
 }
 
 void SheetActor::moved() {
@@ -117,6 +136,7 @@ void SheetActor::moved() {
 void SheetActor::normalsChanged() {
   parts_->normals->Modified();
   parts_->mesh->Modified();
+  parts_->coarse->Modified();
 }
 
 void SheetActor::setColours(const SheetColours& colours) {
@@ -128,14 +148,31 @@ void SheetActor::setColours(const SheetColours& colours) {
     lend(*parts.colours, &colours.each[0].r, 4 * colours.each.size());
   }
   vtkUnsignedCharArray* const array = parts.colours;
+  vtkUnsignedCharArray* const coarse = parts.coarseColours;
+  if (perFace) {
+    coarse->SetNumberOfTuples(static_cast<vtkIdType>(parts.coarseSources.size()));
+    for (std::size_t f = 0; f < parts.coarseSources.size(); ++f) {
+      const Rgba& colour = colours.each[static_cast<std::size_t>(parts.coarseSources[f])];
+      coarse->SetTypedTuple(static_cast<vtkIdType>(f), &colour.r);
+    }
+    coarse->Modified();
+  }
   parts.mesh->GetPointData()->SetScalars(perVertex ? array : nullptr);
   parts.mesh->GetCellData()->SetScalars(perFace ? array : nullptr);
-  parts.mapper->SetScalarVisibility(perVertex || perFace);
-  if (perFace) {
-    parts.mapper->SetScalarModeToUseCellData();
-  } else {
-    parts.mapper->SetScalarModeToUsePointData();
+  parts.coarse->GetPointData()->SetScalars(perVertex ? array : nullptr);
+  parts.coarse->GetCellData()->SetScalars(perFace ? coarse : nullptr);
+  for (MorphMapper* mapper : {parts.mapper.Get(), parts.coarseMapper.Get()}) {
+    mapper->SetScalarVisibility(perVertex || perFace);
+    if (perFace) {
+      mapper->SetScalarModeToUseCellData();
+    } else {
+      mapper->SetScalarModeToUsePointData();
+    }
   }
+}
+
+StandIn& SheetActor::standIn() {
+  return parts_->standIn;
 }
 
 void SheetActor::setVisible(bool visible) {

@@ -4,6 +4,7 @@
 
 #include "widgets/viewport/colouring_surface.h"
 #include "widgets/viewport/morph_surface.h"
+#include "widgets/viewport/stand_in.h"
 
 class vtkRenderer;
 
@@ -26,6 +27,7 @@ class SheetActor {
 
   /// Precondition: `colours` stays as long as it is shown. Also to be called when it has changed.
   void setColours(const SheetColours& colours);
+  [[nodiscard]] StandIn& standIn();
   void setVisible(bool visible);
   void setOpacity(double opacity);
   void setWireframe(bool wireframe);

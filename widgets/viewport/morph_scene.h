@@ -39,6 +39,8 @@ class MorphScene {
   void setPart(std::optional<StillSheet> part);
   /// Before each frame: lines lie in front of the surface as seen from `eye`.
   void prepare(const Point& eye);
+  /// Of the sheets that may have many faces.
+  [[nodiscard]] std::vector<StandIn*> standIns() { return {&rest_.standIn(), &tile_.standIn()}; }
   /// Nothing is shown: null.
   [[nodiscard]] const SurfaceColours* colours() const { return colours_ ? &*colours_ : nullptr; }
 

@@ -65,6 +65,18 @@ MorphSurface::MorphSurface(std::shared_ptr<const Join> join, std::shared_ptr<con
   rim_.resize(static_cast<std::size_t>(layout_.ringCount) + static_cast<std::size_t>(layout_.seamSize));
   faceAreas_.resize(combined_->faces.size());
   setCurve(curve);
+  findCoarseFaces();
+}
+
+// The ring and the seam are borders of theirs, and keep all vertices: the rim between them is drawn whole.
+void MorphSurface::findCoarseFaces() {
+  const auto grid = [](const Eigen::AlignedBox3d& box) {
+    return box.isEmpty() ? ClusterGrid() : ClusterGrid::across(box.sizes().maxCoeff(), box.min());
+  };
+  const MorphSheet rest = this->rest();
+  coarseRest_ = coarsen(rest.positions, rest.normals, rest.vertexCount, rest.faces, grid(rest.box));
+  const MorphSheet tile = this->tile();
+  coarseTile_ = coarsen(tile.positions, tile.normals, tile.vertexCount, tile.faces, grid(tile.box));
 }
 
 void MorphSurface::place() {
@@ -182,21 +194,21 @@ void MorphSurface::findTileNormals(std::size_t begin, std::size_t end) {
 }
 
 MorphSheet MorphSurface::sheet(Index first, Index end, std::span<const Face> faces,
-                               const Eigen::AlignedBox3d& box) const {
+                               const Eigen::AlignedBox3d& box, const CoarseFaces* coarse) const {
   const std::ptrdiff_t offset = std::ptrdiff_t{3} * first;
-  return {positions_.data() + offset, normals_.data() + offset, end - first, faces, box};
+  return {positions_.data() + offset, normals_.data() + offset, end - first, faces, box, coarse};
 }
 
 MorphSheet MorphSurface::rest() const {
-  return sheet(0, layout_.seamCopiesBegin(), layout_.restFaces, restBox_);
+  return sheet(0, layout_.seamCopiesBegin(), layout_.restFaces, restBox_, &coarseRest_);
 }
 
 MorphSheet MorphSurface::rim() const {
-  return sheet(layout_.ringBegin(), layout_.tileBegin(), layout_.rimFaces, rimBox_);
+  return sheet(layout_.ringBegin(), layout_.tileBegin(), layout_.rimFaces, rimBox_, nullptr);
 }
 
 MorphSheet MorphSurface::tile() const {
-  return sheet(layout_.tileBegin(), layout_.vertexCount(), combined_->faces, tileBox_);
+  return sheet(layout_.tileBegin(), layout_.vertexCount(), combined_->faces, tileBox_, &coarseTile_);
 }
 
 }  // namespace graftsman

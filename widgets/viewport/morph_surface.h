@@ -7,6 +7,7 @@
 
 #include "core/fusion/fcf.h"
 #include "core/fusion/join.h"
+#include "widgets/viewport/coarse_faces.h"
 #include "widgets/viewport/morph_layout.h"
 #include "widgets/viewport/morph_normals.h"
 
@@ -18,8 +19,9 @@ struct MorphSheet {
   const float* positions = nullptr;  // 3 × vertexCount, relative to MorphSurface::centre()
   const float* normals = nullptr;    // 3 × vertexCount, of length 1
   Index vertexCount = 0;
-  std::span<const Face> faces;  // numbers from the sheet's first vertex
-  Eigen::AlignedBox3d box;      // relative to centre(); holds the sheet whatever the curve
+  std::span<const Face> faces;          // numbers from the sheet's first vertex
+  Eigen::AlignedBox3d box;              // relative to centre(); holds the sheet whatever the curve
+  const CoarseFaces* coarse = nullptr;  // for quick frames; null: none
 
   [[nodiscard]] Eigen::Vector3f position(Index v) const {
     return Eigen::Map<const Eigen::Vector3f>(positions + std::ptrdiff_t{3} * v);
@@ -60,8 +62,9 @@ class MorphSurface {
   bool moveSeam();
   void findRimNormals();
   void findTileNormals(std::size_t begin, std::size_t end);
+  void findCoarseFaces();
   [[nodiscard]] MorphSheet sheet(Index first, Index end, std::span<const Face> faces,
-                                 const Eigen::AlignedBox3d& box) const;
+                                 const Eigen::AlignedBox3d& box, const CoarseFaces* coarse) const;
   [[nodiscard]] float* positionsAt(Index v) { return positions_.data() + std::ptrdiff_t{3} * v; }
   [[nodiscard]] float* normalsAt(Index v) { return normals_.data() + std::ptrdiff_t{3} * v; }
 
@@ -84,7 +87,9 @@ class MorphSurface {
   std::vector<AreaVector> rim_;        // ringCount + seamSize; of each, the sum over its faces of the rim
   VertexFans fans_;                    // of the tile
   std::vector<AreaVector> faceAreas_;  // of the tile's faces
-  float unit_ = 1;                     // areas are computed in this length, so that they stay within floats
+  CoarseFaces coarseRest_;
+  CoarseFaces coarseTile_;  // as the first curve has it
+  float unit_ = 1;          // areas are computed in this length, so that they stay within floats
 };
 
 }  // namespace graftsman

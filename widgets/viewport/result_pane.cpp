@@ -274,6 +274,10 @@ std::optional<Point> ResultPane::surfaceAt(const QPointF& position) const {
              : std::nullopt;
 }
 
+std::vector<StandIn*> ResultPane::standIns() const {
+  return content_->scene.standIns();
+}
+
 void ResultPane::prepareFrame(const CameraView& view) {
   content_->scene.prepare(view.camera.position);
 }

@@ -44,6 +44,7 @@ class ResultPane : public Viewport {
 
  protected:
   [[nodiscard]] std::optional<Point> surfaceAt(const QPointF& position) const override;
+  [[nodiscard]] std::vector<StandIn*> standIns() const override;
   void prepareFrame(const CameraView& view) override;
   void paintOver(QPainter& painter, const CameraView& view) override;
   void applyTheme(const Theme& theme) override;

@@ -1,6 +1,5 @@
 #include "widgets/viewport/shown_mesh.h"
 
-#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkGenericCell.h>
 #include <vtkNew.h>
@@ -8,14 +7,15 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStaticCellLocator.h>
-#include <vtkTypeInt32Array.h>
 
 #include <algorithm>
-#include <cstring>
+#include <limits>
 
 #include <Eigen/Geometry>
 
 #include "widgets/viewport/shading.h"
+#include "widgets/viewport/stand_in.h"
+#include "widgets/viewport/triangle_cells.h"
 
 namespace graftsman {
 namespace {
@@ -23,21 +23,6 @@ namespace {
 constexpr double kBeside = 1e-6;            // of a ray's length: far below a pixel
 constexpr double kVisibleTolerance = 1e-6;  // × diagonal: a point hides not itself
 constexpr double kWeightSnap = 1e-6;        // a pick this near to an edge or corner lies on it
-
-vtkSmartPointer<vtkCellArray> triangleCells(const std::vector<Face>& faces) {
-  const auto count = static_cast<vtkIdType>(faces.size());
-  vtkNew<vtkTypeInt32Array> corners;
-  corners->SetNumberOfValues(3 * count);
-  std::memcpy(corners->GetPointer(0), faces.data(), 3 * faces.size() * sizeof(Index));
-  vtkNew<vtkTypeInt32Array> offsets;
-  offsets->SetNumberOfValues(count + 1);
-  for (std::size_t f = 0; f <= faces.size(); ++f) {
-    offsets->SetValue(static_cast<vtkIdType>(f), static_cast<vtkTypeInt32>(3 * f));
-  }
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, corners);
-  return cells;
-}
 
 Eigen::Vector3d baryOf(const TriangleMesh& mesh, Index face, const Point& point) {
   const Face& corners = mesh.face(face);
@@ -60,9 +45,32 @@ Eigen::Vector3d baryOf(const TriangleMesh& mesh, Index face, const Point& point)
   return bary / bary.sum();
 }
 
+Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Point& point : mesh.points()) {
+    box.extend(point);
+  }
+  return box;
+}
+
+CoarseFaces coarseFaces(const TriangleMesh& mesh, const Shading& shading, const Eigen::AlignedBox3d& box) {
+  if (shading.faces.size() <= kManyDrawnFaces) {
+    return {};
+  }
+  // Within [0, 1], whatever the model's unit.
+  const double unit = 1 / std::max(box.sizes().maxCoeff(), std::numeric_limits<double>::min());
+  std::vector<Eigen::Vector3f> positions;
+  positions.reserve(shading.meshVertices.size());
+  for (const Index v : shading.meshVertices) {
+    positions.emplace_back((unit * (mesh.point(v) - box.min())).cast<float>());
+  }
+  return coarsen(positions[0].data(), shading.normals[0].data(), static_cast<Index>(positions.size()),
+                 shading.faces, ClusterGrid::across(1));
+}
+
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> drawnTriangles(const TriangleMesh& mesh) {
+DrawnTriangles drawTriangles(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box) {
   const Shading shading = shade(mesh);
   const auto count = static_cast<vtkIdType>(shading.meshVertices.size());
   vtkNew<vtkPoints> points;
@@ -76,29 +84,28 @@ vtkSmartPointer<vtkPolyData> drawnTriangles(const TriangleMesh& mesh) {
     points->SetPoint(i, mesh.point(shading.meshVertices[at]).data());
     normals->SetTypedTuple(i, shading.normals[at].data());
   }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(triangleCells(shading.faces));
-  data->GetPointData()->SetNormals(normals);
+  DrawnTriangles drawn;
+  drawn.all = vtkSmartPointer<vtkPolyData>::New();
+  drawn.all->SetPoints(points);
+  drawn.all->SetPolys(triangleCells(shading.faces));
+  drawn.all->GetPointData()->SetNormals(normals);
   // What VTK would otherwise find lazily, on the thread that draws or picks.
-  data->ComputeBounds();
-  data->BuildCells();
-  return data;
+  drawn.all->ComputeBounds();
+  drawn.all->BuildCells();
+  drawn.few = onSamePoints(*drawn.all, coarseFaces(mesh, shading, box));
+  return drawn;
 }
 
 ShownMesh::ShownMesh(std::shared_ptr<const TriangleMesh> mesh)
     : mesh_(std::move(mesh)),
-      drawn_(drawnTriangles(*mesh_)),
+      box_(boxOf(*mesh_)),
+      drawn_(drawTriangles(*mesh_, box_)),
       locator_(vtkSmartPointer<vtkStaticCellLocator>::New()) {
-  locator_->SetDataSet(drawn_);
+  locator_->SetDataSet(drawn_.all);
   locator_->BuildLocator();
 }
 
 ShownMesh::~ShownMesh() = default;
-
-vtkPolyData* ShownMesh::drawn() const {
-  return drawn_;
-}
 
 std::optional<SurfaceHit> ShownMesh::firstHit(const Point& from, const Point& to) const {
   double t = 0;
@@ -118,10 +125,7 @@ std::optional<SurfaceHit> ShownMesh::firstHit(const Point& from, const Point& to
 }
 
 std::optional<SurfaceHit> ShownMesh::firstHit(const Ray& ray) const {
-  double b[6];
-  drawn_->GetBounds(b);
-  const Point middle((b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2);
-  const double reach = (middle - ray.origin).norm() + mesh_->diagonal();
+  const double reach = (box_.center() - ray.origin).norm() + mesh_->diagonal();
   // The locator lets a ray slip through an edge or a vertex that it meets exactly, to the far side: of the
   // ray and two beside it, the nearest hit counts.
   const Eigen::Vector3d beside = kBeside * ray.direction.unitOrthogonal();

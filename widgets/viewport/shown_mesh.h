@@ -2,6 +2,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <optional>
 
@@ -20,6 +21,15 @@ struct SurfaceHit {
   Point point = Point::Zero();
 };
 
+/// Triangles with normals, as VTK draws them: smooth but for the creases.
+struct DrawnTriangles {
+  vtkSmartPointer<vtkPolyData> all;
+  vtkSmartPointer<vtkPolyData> few;  // for quick frames; null: there are not so many
+};
+
+/// `box` is divided for the few: two meshes that lie on each other share it. Made on any thread.
+[[nodiscard]] DrawnTriangles drawTriangles(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box);
+
 /// A mesh made ready to be drawn and picked from. Immutable; made on any thread.
 class ShownMesh {
  public:
@@ -30,7 +40,8 @@ class ShownMesh {
 
   [[nodiscard]] const std::shared_ptr<const TriangleMesh>& mesh() const { return mesh_; }
   /// Its faces in the mesh's order, with normals. Several panes may draw it at once, each by its own mapper.
-  [[nodiscard]] vtkPolyData* drawn() const;
+  [[nodiscard]] const DrawnTriangles& drawn() const { return drawn_; }
+  [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
 
   /// The first place where the ray meets the surface, from either side.
   [[nodiscard]] std::optional<SurfaceHit> firstHit(const Ray& ray) const;
@@ -43,11 +54,9 @@ class ShownMesh {
   [[nodiscard]] std::optional<SurfaceHit> firstHit(const Point& from, const Point& to) const;
 
   std::shared_ptr<const TriangleMesh> mesh_;
-  vtkSmartPointer<vtkPolyData> drawn_;
+  Eigen::AlignedBox3d box_;
+  DrawnTriangles drawn_;
   vtkSmartPointer<vtkStaticCellLocator> locator_;
 };
-
-/// Triangles with normals, as VTK draws them: smooth but for the creases.
-[[nodiscard]] vtkSmartPointer<vtkPolyData> drawnTriangles(const TriangleMesh& mesh);
 
 }  // namespace graftsman

@@ -8,23 +8,19 @@
 
 #include <QEvent>
 #include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLFramebufferObject>
-#include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <cmath>
 #include <numbers>
 
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/camera_view.h"
+#include "widgets/viewport/stand_in.h"
 #include "widgets/viewport/viewport_scene.h"
 
 namespace graftsman {
 namespace {
 
-constexpr double kDimming = 0.1;
-constexpr int kProgressHeight = 2;
-constexpr int kFrameWidth = 2;
+constexpr int kRestMilliseconds = 150;  // before a slow frame with all faces
 
 QSurfaceFormat surfaceFormat() {
   QSurfaceFormat format;
@@ -76,6 +72,12 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_un
   renderer.GetActiveCamera()->SetViewAngle(CameraView::kAngle * 180 / std::numbers::pi);
   setBackground();
 
+  scene_->rest.setSingleShot(true);
+  scene_->rest.setInterval(kRestMilliseconds);
+  connect(&scene_->rest, &QTimer::timeout, this, [this] {
+    scene_->rested = true;
+    update();
+  });
   prepareGlide();
 }
 
@@ -141,118 +143,6 @@ void Viewport::releaseContext() {
 
 void Viewport::resizeGL(int /*width*/, int /*height*/) {
   keepFramed();
-}
-
-void Viewport::paintGL() {
-  CameraView shown = view();
-  shown.camera = scene_->shown;
-  paintFrame(shown, defaultFramebufferObject());
-  // Not on `this`: within grab() that would paint on the grabbed image, below this frame.
-  QOpenGLPaintDevice device((shown.size * shown.ratio).toSize());
-  device.setDevicePixelRatio(shown.ratio);
-  QPainter painter(&device);
-  paintOver(painter, shown);
-  paintState(painter);
-}
-
-void Viewport::paintFrame(const CameraView& shown, unsigned int framebuffer) {
-  scene_->painting = true;
-  vtkGenericOpenGLRenderWindow& window = *scene_->window;
-  const QSize pixels = (shown.size * shown.ratio).toSize();
-  const bool resized = window.GetSize()[0] != pixels.width() || window.GetSize()[1] != pixels.height();
-  if (resized) {
-    window.SetSize(pixels.width(), pixels.height());
-  }
-  vtkOpenGLState& state = *window.GetState();
-  state.Reset();
-  state.Push();
-  state.vtkglDepthFunc(GL_LEQUAL);
-  state.vtkglEnable(GL_DEPTH_TEST);
-  // The last frame is still there: a scene of a million faces is not drawn again for a mark on it.
-  if (scene_->stale || resized || !(scene_->drawnFrom == shown.camera)) {
-    drawScene(shown);
-  }
-  state.vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  window.BlitDisplayFramebuffer();
-  state.Pop();
-
-  // The desktop must not shine through where translucent actors left an alpha below 1.
-  QOpenGLExtraFunctions& gl = *context()->extraFunctions();
-  gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  gl.glBindVertexArray(0);
-  gl.glDisable(GL_SCISSOR_TEST);
-  gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-  gl.glClearColor(0, 0, 0, 1);
-  gl.glClear(GL_COLOR_BUFFER_BIT);
-  gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.glDisable(GL_DEPTH_TEST);
-  scene_->painting = false;
-}
-
-void Viewport::drawScene(const CameraView& shown) {
-  prepareFrame(shown);
-  vtkCamera& camera = *scene_->renderer->GetActiveCamera();
-  camera.SetPosition(shown.camera.position.data());
-  camera.SetFocalPoint(shown.camera.pivot.data());
-  camera.SetViewUp(shown.up().data());
-  scene_->renderer->ResetCameraClippingRange();
-  scene_->window->Render();
-  scene_->stale = false;
-  scene_->drawnFrom = shown.camera;
-}
-
-void Viewport::paintState(QPainter& painter) const {
-  const QColor highlight = palette().color(QPalette::Highlight);
-  if (scene_->progress || scene_->preparing) {
-    painter.fillRect(rect(), QColor::fromRgbF(0, 0, 0, kDimming));
-  }
-  if (scene_->progress) {
-    painter.fillRect(QRectF(0, 0, width() * *scene_->progress, kProgressHeight), highlight);
-  }
-  if (scene_->dropHighlighted || scene_->focusShown) {
-    const int w = scene_->dropHighlighted ? 2 * kFrameWidth : kFrameWidth;
-    painter.fillRect(0, 0, width(), w, highlight);
-    painter.fillRect(0, height() - w, width(), w, highlight);
-    painter.fillRect(0, w, w, height() - 2 * w, highlight);
-    painter.fillRect(width() - w, w, w, height() - 2 * w, highlight);
-  }
-  if (scene_->dropHighlighted) {
-    QColor veil = highlight;
-    veil.setAlphaF(0.15F);
-    painter.fillRect(rect(), veil);
-  }
-}
-
-QImage Viewport::picture(std::optional<QSize> size) {
-  if (!isValid()) {
-    (void)grabFramebuffer();  // makes the context
-  }
-  if (!isValid()) {
-    return {};
-  }
-  CameraView shown = view();
-  shown.camera = scene_->camera;
-  const QSize pixels = size.value_or((shown.size * shown.ratio).toSize());
-  shown.size = QSizeF(pixels) / shown.ratio;
-
-  makeCurrent();
-  QImage image;
-  {
-    QOpenGLFramebufferObject target(pixels, QOpenGLFramebufferObject::CombinedDepthStencil);
-    paintFrame(shown, target.handle());
-    target.bind();
-    {
-      QOpenGLPaintDevice device(pixels);
-      device.setDevicePixelRatio(shown.ratio);
-      QPainter painter(&device);
-      paintOver(painter, shown);
-    }
-    target.release();
-    image = target.toImage().convertToFormat(QImage::Format_RGB32);
-  }
-  doneCurrent();
-  update();
-  return image;
 }
 
 Camera Viewport::camera() const {
@@ -370,6 +260,10 @@ void Viewport::setBackground() {
 }
 
 void Viewport::prepareFrame(const CameraView& /*view*/) {}
+
+std::vector<StandIn*> Viewport::standIns() const {
+  return {};
+}
 
 void Viewport::paintOver(QPainter& /*painter*/, const CameraView& /*view*/) {}
 

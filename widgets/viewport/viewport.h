@@ -4,6 +4,7 @@
 #include <QOpenGLWidget>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/mesh/triangle_mesh.h"
 
@@ -14,6 +15,7 @@ namespace graftsman {
 /// The pointer moved further than this, in device-independent pixels, is a drag and no click.
 inline constexpr double kDragDistance = 3;
 
+class StandIn;
 struct CameraView;
 struct Theme;
 
@@ -73,9 +75,9 @@ class Viewport : public QOpenGLWidget {
   /// pictures). Precondition: the point is before the camera.
   [[nodiscard]] QPointF screenPosition(const Point& point) const;
 
-  /// A picture of the pane as shown, without what tells of progress, focus or a drop. `size` in pixels (the
-  /// pane's own without it); lines and marks keep their size in pixels. Also of a pane that was never shown.
-  /// Null image: the machine gives no OpenGL context.
+  /// A picture of the pane with all its faces, without what tells of progress, focus or a drop. `size` in
+  /// pixels (the pane's own without it); lines and marks keep their size in pixels. Also of a pane that was
+  /// never shown. Null image: the machine gives no OpenGL context.
   [[nodiscard]] QImage picture(std::optional<QSize> size = {});
 
  Q_SIGNALS:
@@ -109,6 +111,8 @@ class Viewport : public QOpenGLWidget {
   [[nodiscard]] virtual std::optional<Point> surfaceAt(const QPointF& position) const;
   /// Called before the scene is drawn, also for a picture, with the camera that it is drawn with.
   virtual void prepareFrame(const CameraView& view);
+  /// What is drawn instead of surfaces of many faces while frames must be quick; nothing without it.
+  [[nodiscard]] virtual std::vector<StandIn*> standIns() const;
   /// Paints over the scene, in device-independent pixels, under what tells of progress, focus and drops.
   /// There is no multisampling: draw images where edges must be smooth.
   virtual void paintOver(QPainter& painter, const CameraView& view);
@@ -145,8 +149,9 @@ class Viewport : public QOpenGLWidget {
   void setBackground();
   void answerWindow();
   void releaseContext();
-  void paintFrame(const CameraView& shown, unsigned int framebuffer);
-  void drawScene(const CameraView& shown);
+  enum class Detail { Quick, All };
+  void paintFrame(const CameraView& shown, unsigned int framebuffer, Detail detail);
+  void drawScene(const CameraView& shown, Detail detail);
   void paintState(QPainter& painter) const;
 
   struct Scene;

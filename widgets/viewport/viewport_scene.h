@@ -6,6 +6,7 @@
 
 #include <QMetaObject>
 #include <QPointF>
+#include <QTimer>
 #include <QVariantAnimation>
 #include <optional>
 
@@ -37,8 +38,12 @@ struct Viewport::Scene {
   vtkNew<vtkRenderer> renderer;
   QMetaObject::Connection contextEnds;
   bool painting = false;
-  bool stale = true;  // the scene is not what was drawn last
-  Camera drawnFrom;   // that frame
+  bool stale = true;                      // the scene is not what was drawn last
+  Camera drawnFrom;                       // that frame
+  bool drawnQuick = false;                // that frame has not all faces
+  std::optional<double> allMilliseconds;  // what the last frame with all faces took
+  QTimer rest;                            // since then nothing has changed
+  bool rested = false;                    // the next frame is to have all faces
 
   Camera camera;
   Camera shown;        // differs from `camera` while the view glides to it

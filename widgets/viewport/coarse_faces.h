@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "core/mesh/triangle_mesh.h"
+
+namespace graftsman {
+
+/// Fewer faces on the vertices of a surface: what it looks like while frames must be quick.
+struct CoarseFaces {
+  std::vector<Face> faces;
+  std::vector<Index> sources;  // of each, a face of the surface in whose place it stands
+};
+
+/// Surfaces of no more faces are always drawn whole.
+inline constexpr std::size_t kManyDrawnFaces = 200'000;
+
+/// The cubes in which vertices are taken together. Surfaces that share it share their coarse faces.
+struct ClusterGrid {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  double cell = 1;  // > 0
+
+  /// About 10⁵ faces for a surface in a box of this size.
+  [[nodiscard]] static ClusterGrid across(double size,
+                                          const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
+};
+
+/// Of the vertices in one cube whose normals look the same way the one nearest to the cube's middle stands
+/// for all; faces that become an edge or a point are left out. Vertices on a border stand for themselves, so
+/// that what lies beside them still fits. No faces if there are no more than kManyDrawnFaces. positions,
+/// normals: 3 × vertexCount. Cost: linear.
+[[nodiscard]] CoarseFaces coarsen(const float* positions, const float* normals, Index vertexCount,
+                                  std::span<const Face> faces, const ClusterGrid& grid);
+
+}  // namespace graftsman
