@@ -279,7 +279,7 @@ void MainWindow::enableActions() {
   enable("runAdjustment", fusion.closed);
   adjustment_->setRunnable(fusion.closed);
   const bool fused = fusion_->shown() != nullptr;
-  const bool current = fused && same(fusion_->shown()->inputs, fusion.inputs);
+  const bool current = fused && fusion.closed && same(fusion_->shown()->inputs, fusion.inputs);
   enable("exportResult", current);
   enable("exportPicture", fused);
   enable("exportFrames", current);

@@ -249,6 +249,24 @@ class FusionTest : public QObject {
     QVERIFY(bench.action("exportResult")->isEnabled());
   }
 
+  // What is shown still is the last result; nothing stands for the document's own.
+  void anOpenLoopHasNoResultToExport() {
+    Fused bench;
+    for (const char* name : {"exportResult", "exportFrames"}) {
+      QVERIFY(bench.action(name)->isEnabled());
+    }
+    bench.action("openLoop")->trigger();
+    QVERIFY(bench.settle());
+    for (const char* name : {"exportResult", "exportFrames"}) {
+      QVERIFY(!bench.action(name)->isEnabled());
+    }
+    QTest::keyClick(bench.window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(bench.settle());
+    for (const char* name : {"exportResult", "exportFrames"}) {
+      QVERIFY(bench.action(name)->isEnabled());
+    }
+  }
+
   void theHistoryDockGoesToAnyStep() {
     Fused bench;
     const auto before = bench.fusion();
