@@ -92,8 +92,14 @@ FramesDialog::FramesDialog(QWidget* parent)
   auto* form = new QFormLayout(this);
   form->addRow(tr("F&ilm"), kind_);
   form->addRow(tr("F&rames"), count_);
-  form->addRow(tr("&Size"), size);
-  form->addRow(tr("&Folder"), place);
+  // A row of several widgets: its key goes to the first.
+  const auto addRow = [form](const QString& text, QLayout* row, QWidget* first) {
+    auto* label = new QLabel(text);
+    label->setBuddy(first);
+    form->addRow(label, row);
+  };
+  addRow(tr("&Size"), size, width_);
+  addRow(tr("&Folder"), place, folder_);
   auto* hint = new QLabel(tr("PNG files, frame-001.png and so on, seen from where the result's pane looks."));
   hint->setWordWrap(true);
   form->addRow(hint);

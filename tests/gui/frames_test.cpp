@@ -33,8 +33,12 @@ class FramesTest : public QObject {
   static void choose(const Workbench& bench, Film::Kind kind, int count, const QString& folder) {
     QTest::keyClick(bench.window.get(), Qt::Key_E, Qt::ControlModifier | Qt::AltModifier);
     auto* dialog = the<FramesDialog>(bench, "framesDialog");
-    if (!dialog || !QTest::qWaitForWindowExposed(dialog)) {
+    if (!dialog) {
       qFatal("no dialog");
+    }
+    dialog->activateWindow();
+    if (!QTest::qWaitForWindowActive(dialog)) {
+      qFatal("the dialog does not become active");
     }
     auto* film = the<QComboBox>(bench, "framesKind");
     film->setFocus();
@@ -42,8 +46,11 @@ class FramesTest : public QObject {
     setNumber(bench, "framesCount", count);
     setNumber(bench, "framesWidth", 80);
     setNumber(bench, "framesHeight", 60);
+    QTest::keyClick(dialog, Qt::Key_F, Qt::AltModifier);
     auto* line = the<QLineEdit>(bench, "framesFolder");
-    QTest::mouseClick(line, Qt::LeftButton);
+    if (!QTest::qWaitFor([line] { return line->hasFocus(); }, kPatienceMs)) {
+      qFatal("the key does not lead to the folder");
+    }
     line->clear();
     QTest::keyClicks(line, folder);
   }
