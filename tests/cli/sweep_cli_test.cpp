@@ -1,42 +1,13 @@
 #include <QDir>
-#include <QProcess>
 #include <QTemporaryDir>
-#include <QtTest>
 #include <map>
 
 #include "core/io/csv.h"
-#include "tests/support/samples.h"
+#include "tests/support/cli_runs.h"
 
 using namespace graftsman;
 
 namespace {
-
-struct Outcome {
-  int exitCode = -1;
-  QByteArray out;
-  QByteArray err;
-};
-
-Outcome runCli(const QStringList& arguments) {
-  QProcess process;
-  process.start(GRAFTSMAN_CLI, arguments);
-  constexpr int kMostMilliseconds = 300000;
-  if (!process.waitForFinished(kMostMilliseconds) || process.exitStatus() != QProcess::NormalExit) {
-    return {};
-  }
-  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-QByteArray contentOf(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void write(const QString& path, const QByteArray& content) {
-  QFile file(path);
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  file.write(content);
-}
 
 // Every file of the folder with its content, but for the shares' tables.
 std::map<QString, QByteArray> contents(const QString& folder) {
@@ -49,25 +20,13 @@ std::map<QString, QByteArray> contents(const QString& folder) {
   return result;
 }
 
-QByteArray scenario(const std::string& name) {
-  return QByteArray::fromStdString(samples::scenarioPath(name).string());
-}
-
 // Six results of the small cone and sphere, with meshes and pictures.
 QString smallSweep(const QTemporaryDir& dir) {
   const QString path = dir.filePath("sweep.json");
-  write(path, "{\"fusion\": \"" + scenario("fig4a_cone_sphere") +
+  write(path, "{\"fusion\": \"" + scenario("fig4a_cone_sphere").toUtf8() +
                   "\", \"fcf\": [\"paste\", \"half\"], \"deform_exponent\": [1, 2, 5], \"mesh\": \"off\", "
                   "\"picture\": {\"size\": [96, 72]}}");
   return path;
-}
-
-// Exit code 1, nothing on stdout, exactly one line on stderr.
-void verifyOneLineError(const Outcome& outcome) {
-  QCOMPARE(outcome.exitCode, 1);
-  QVERIFY(outcome.out.isEmpty());
-  QVERIFY(outcome.err.startsWith("graftsman-cli: error: "));
-  QCOMPARE(outcome.err.count('\n'), 1);
 }
 
 QSize sizeOfPng(const QByteArray& png) {
@@ -140,7 +99,7 @@ class SweepCliTest : public QObject {
   void whatIsWrittenCanBeChosen() {
     const QTemporaryDir dir;
     const QString path = dir.filePath("s.json");
-    write(path, "{\"fusion\": \"" + scenario("fig4a_cone_sphere") + "\"}");
+    write(path, "{\"fusion\": \"" + scenario("fig4a_cone_sphere").toUtf8() + "\"}");
     QCOMPARE(runCli({"sweep", path, "-o", dir.filePath("a")}).exitCode, 0);
     QCOMPARE(QDir(dir.filePath("a")).entryList(QDir::Files), (QStringList{"base.ply", "table.csv"}));
     QCOMPARE(runCli({"sweep", path, "-o", dir.filePath("b"), "--mesh", "none", "--picture"}).exitCode, 0);
@@ -162,7 +121,8 @@ class SweepCliTest : public QObject {
     const QString path = dir.filePath("s.json");
     const QByteArray cone = QByteArray::fromStdString(samples::modelPath("cone.stl").string());
     const auto sweep = [&](const QByteArray& parts) {
-      write(path, "{\"fusion\": \"" + scenario("fig4a_cone_sphere") + "\", \"parts\": [" + parts + "]}");
+      write(path,
+            "{\"fusion\": \"" + scenario("fig4a_cone_sphere").toUtf8() + "\", \"parts\": [" + parts + "]}");
     };
     const QByteArray bad = "{\"name\": \"bad\", \"m1\": \"" + cone + "\", \"cvp\": [[0, 0], [1, 1]]}";
     sweep("{\"name\": \"good\"}, " + bad);
@@ -217,7 +177,7 @@ class SweepCliTest : public QObject {
 
   void framesOfATurntableGoRound() {
     const QTemporaryDir dir;
-    const QString input = QString::fromUtf8(scenario("fig8b_cone_nose"));
+    const QString input = scenario("fig8b_cone_nose");
     const QString out = dir.filePath("frames");
     const Outcome outcome = runCli({"frames", input, "-o", out, "--turntable", "4", "--size", "80x60"});
     QCOMPARE(outcome.err, QByteArray());
@@ -232,7 +192,7 @@ class SweepCliTest : public QObject {
 
   void framesOfAMorphAreTheSameOnAnyNumberOfThreads() {
     const QTemporaryDir dir;
-    const QString input = QString::fromUtf8(scenario("fig7_letters_bottle"));
+    const QString input = scenario("fig7_letters_bottle");
     for (const QString& threads : {QString("1"), QString("2")}) {
       QCOMPARE(runCli({"frames", input, "-o", dir.filePath(threads), "--morph", "5", "--size", "80x60",
                        "--threads", threads})

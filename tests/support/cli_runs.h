@@ -19,7 +19,7 @@ struct Outcome {
 inline Outcome runCli(const QStringList& arguments) {
   QProcess process;
   process.start(GRAFTSMAN_CLI, arguments);
-  constexpr int kMostMilliseconds = 120000;
+  constexpr int kMostMilliseconds = 300000;
   if (!process.waitForFinished(kMostMilliseconds) || process.exitStatus() != QProcess::NormalExit) {
     return {};
   }
