@@ -7,6 +7,7 @@
 #include "core/io/mesh_file.h"
 #include "tests/benchmarks/benchmark_main.h"
 #include "tests/support/loops.h"
+#include "tests/support/places.h"
 #include "tests/support/shapes.h"
 
 using namespace graftsman;
@@ -19,7 +20,7 @@ const loops::AnchoredLoopPaths& head(int level) {
   if (const auto at = made.find(level); at != made.end()) {
     return at->second;
   }
-  auto mesh = readMesh(GRAFTSMAN_SAMPLES "/models/nefertiti.ply", {})->mesh;
+  auto mesh = readMesh(places::samples() / "models/nefertiti.ply", {})->mesh;
   std::vector<Point> points = mesh->points();
   std::vector<Face> faces = mesh->faces();
   for (int i = 0; i < level; ++i) {

@@ -9,6 +9,7 @@
 #include "core/fusion/update.h"
 #include "core/io/scenario.h"
 #include "tests/benchmarks/benchmark_main.h"
+#include "tests/support/places.h"
 #include "tests/support/shapes.h"
 
 namespace {
@@ -47,7 +48,7 @@ std::vector<Index> around(const TriangleMesh& mesh, Index vertex) {
 
 void scenario(benchmark::State& state, const char* name) {
   const Result<LoadedScenario> loaded =
-      readScenario(std::string(GRAFTSMAN_SAMPLES "/scenarios/") + name + ".json", {});
+      readScenario(places::samples() / "scenarios" / (std::string(name) + ".json"), {});
   const FusionInputs& inputs = loaded->scenario.inputs;
   drag(state, inputs, around(*inputs.base, inputs.loop[2].base.vertex));
 }

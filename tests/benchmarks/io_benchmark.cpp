@@ -26,6 +26,7 @@
 #include "core/io/mesh_file.h"
 #include "core/io/mesh_parse.h"
 #include "core/io/read_file.h"
+#include "tests/support/places.h"
 #include "tests/support/shapes.h"
 
 namespace graftsman {
@@ -59,7 +60,7 @@ Soup firstFaces(const Soup& soup, std::size_t count) {
 }
 
 Soup nefertiti() {
-  const auto file = readMesh(std::filesystem::path(GRAFTSMAN_SAMPLES) / "models/nefertiti.ply", {});
+  const auto file = readMesh(places::samples() / "models/nefertiti.ply", {});
   Soup soup = {file.value().mesh->points(), file.value().mesh->faces()};
   for (int level = 0; level < 2; ++level) {
     auto [points, faces] = shapes::subdivided(std::move(soup.points), soup.faces);

@@ -15,6 +15,7 @@
 #include "core/fusion/min_heap.h"
 #include "core/fusion/paths.h"
 #include "core/io/mesh_file.h"
+#include "tests/support/places.h"
 #include "tests/support/shapes.h"
 
 namespace {
@@ -29,7 +30,7 @@ constexpr int kSources = 4;   // exact lengths need one CGAL tree a source
 constexpr int kTargets = 25;  // so the share is over 100 pairs
 
 shapes::MeshPtr sample(const std::string& name) {
-  const auto file = readMesh(std::filesystem::path(GRAFTSMAN_SAMPLES) / "models" / name, {});
+  const auto file = readMesh(places::samples() / "models" / name, {});
   if (!file) {
     std::cerr << file.error().message << '\n';
     std::exit(1);

@@ -4,6 +4,7 @@
 
 #include "core/io/csv.h"
 #include "tests/support/cli_runs.h"
+#include "tests/support/places.h"
 
 using namespace graftsman;
 
@@ -44,7 +45,7 @@ class SweepCliTest : public QObject {
 
  private Q_SLOTS:
   void theSampleNamesItsResultsBeforehand() {
-    const QString sample = QString::fromStdString(GRAFTSMAN_SAMPLES "/sweeps/nose.json");
+    const QString sample = QString::fromStdString((places::samples() / "sweeps/nose.json").string());
     const Outcome outcome = runCli({"sweep", sample, "--dry-run"});
     QCOMPARE(outcome.exitCode, 0);
     QCOMPARE(outcome.err, QByteArray());

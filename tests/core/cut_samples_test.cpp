@@ -5,6 +5,7 @@
 #include "core/io/scenario.h"
 #include "tests/support/cut_checks.h"
 #include "tests/support/loops.h"
+#include "tests/support/places.h"
 
 using namespace graftsman;
 
@@ -76,7 +77,7 @@ QByteArray fault(const TriangleMesh& mesh, const LoopPaths& paths) {
   return tile ? QByteArray::fromStdString(checks::tileFault(mesh, cut, *tile)) : QByteArray();
 }
 
-void addRows(const char* folder) {
+void addRows(const std::filesystem::path& folder) {
   QTest::addColumn<QString>("path");
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (formatOf(entry.path()) || entry.path().extension() == ".json") {
@@ -91,7 +92,7 @@ class CutSamplesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void everyScenariosLoopsHaveTiles_data() { addRows(GRAFTSMAN_SAMPLES "/scenarios"); }
+  void everyScenariosLoopsHaveTiles_data() { addRows(places::samples() / "scenarios"); }
 
   void everyScenariosLoopsHaveTiles() {
     QFETCH(QString, path);
@@ -112,7 +113,7 @@ class CutSamplesTest : public QObject {
     }
   }
 
-  void foundPathsBetweenRandomVerticesAreCut_data() { addRows(GRAFTSMAN_SAMPLES "/models"); }
+  void foundPathsBetweenRandomVerticesAreCut_data() { addRows(places::samples() / "models"); }
 
   void foundPathsBetweenRandomVerticesAreCut() {
     QFETCH(QString, path);
@@ -140,7 +141,7 @@ class CutSamplesTest : public QObject {
   }
 
   void randomLoopsOnEverySampleAreCutAndTheirTilesAreDisksOrExplained_data() {
-    addRows(GRAFTSMAN_SAMPLES "/models");
+    addRows(places::samples() / "models");
   }
 
   void randomLoopsOnEverySampleAreCutAndTheirTilesAreDisksOrExplained() {

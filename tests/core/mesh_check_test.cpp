@@ -5,6 +5,7 @@
 
 #include "core/io/mesh_file.h"
 #include "core/mesh/mesh_check.h"
+#include "tests/support/places.h"
 #include "tests/support/shapes.h"
 
 using namespace graftsman;
@@ -74,7 +75,7 @@ class MeshCheckTest : public QObject {
     QFETCH(double, smallestAngle);
     QFETCH(double, medianAngle);
     QFETCH(bool, onlyTriangles);
-    const std::filesystem::path models = std::filesystem::path(GRAFTSMAN_SAMPLES) / "models";
+    const std::filesystem::path models = places::samples() / "models";
     const MeshFile file = readMesh(models / QTest::currentDataTag(), {}).value();
     QVERIFY(file.vertexOfFileVertex.empty());
     QCOMPARE(file.report.droppedDegenerate + file.report.droppedDuplicate + file.report.isolated, 0U);

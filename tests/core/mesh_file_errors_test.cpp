@@ -12,6 +12,7 @@
 #include "core/io/read_file.h"
 #include "tests/support/mesh_file_texts.h"
 #include "tests/support/mesh_text.h"
+#include "tests/support/places.h"
 #include "tests/support/shapes.h"
 
 using namespace graftsman;
@@ -184,7 +185,7 @@ class MeshFileErrorsTest : public QObject {
   }
 
   void whatFuzzingFoundStaysMended() {
-    const fs::path root = fs::path(GRAFTSMAN_TEST_DATA) / "fuzz";
+    const fs::path root = places::testData() / "fuzz";
     int files = 0;
     for (const MeshFormat format : kFormats) {
       static constexpr std::array kFolders = {"obj", "ply", "stl", "off"};

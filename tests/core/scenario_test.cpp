@@ -1,4 +1,5 @@
 #include "core/io/scenario.h"
+#include "tests/support/places.h"
 
 #include <QtTest>
 #include <filesystem>
@@ -62,7 +63,7 @@ class ScenarioTest : public QObject {
         {"fig4d_cone_sphere", 8}, {"fig7_letters_bottle", 6},   {"fig8b_cone_nose", 8},
         {"fig8c_cone_nose", 8},   {"fig8d_hemisphere_nose", 8}, {"fig8e_hemisphere_nose", 8},
         {"fig9a_cars", 7},        {"fig9b_bird_plane", 5}};
-    const fs::path folder = fs::path(GRAFTSMAN_SAMPLES) / "scenarios";
+    const fs::path folder = places::samples() / "scenarios";
     std::size_t files = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
       files += entry.path().extension() == ".json" ? 1 : 0;
@@ -81,7 +82,7 @@ class ScenarioTest : public QObject {
   }
 
   void aSampleHasTheCurveOfItsFigure() {
-    const fs::path path = fs::path(GRAFTSMAN_SAMPLES) / "scenarios" / "fig4b_cone_sphere.json";
+    const fs::path path = places::samples() / "scenarios" / "fig4b_cone_sphere.json";
     QVERIFY(parseScenario(readAll(path), path)->inputs.fcf == FCF::preset(FCF::Preset::Paste));
   }
 

@@ -5,6 +5,7 @@
 #include "core/project/project_file.h"
 #include "core/sweep/sweep_file.h"
 #include "tests/support/documents.h"
+#include "tests/support/places.h"
 #include "tests/support/samples.h"
 
 using namespace graftsman;
@@ -31,7 +32,7 @@ std::string quoted(const fs::path& path) {
   return '"' + path.string() + '"';
 }
 
-const fs::path kSamples = GRAFTSMAN_SAMPLES;
+const fs::path kSamples = places::samples();
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 #include <QTableView>
 
 #include "core/project/project_file.h"
+#include "tests/support/places.h"
 #include "tests/support/workbench.h"
 #include "widgets/curve/fusion_curve_editor.h"
 
@@ -243,7 +244,9 @@ class WorkbenchTest : public QObject {
       bench.window->files().exportResult(
           ours, std::make_shared<const FusionResults>(*bench.window->fusionPage().shown()));
       QVERIFY(bench.settle());
-      QCOMPARE(QProcess::execute(GRAFTSMAN_CLI, {"fuse", project, "-o", theirs}), 0);
+      QCOMPARE(QProcess::execute(QString::fromStdString(places::commandLine().string()),
+                                 {"fuse", project, "-o", theirs}),
+               0);
       QFile a(ours);
       QFile b(theirs);
       QVERIFY(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/project/project_file.h"
+#include "tests/support/places.h"
 #include "tests/support/projects.h"
 #include "tests/support/samples.h"
 
@@ -18,7 +19,7 @@ struct Outcome {
 
 inline Outcome runCli(const QStringList& arguments) {
   QProcess process;
-  process.start(GRAFTSMAN_CLI, arguments);
+  process.start(QString::fromStdString(places::commandLine().string()), arguments);
   constexpr int kMostMilliseconds = 300000;
   if (!process.waitForFinished(kMostMilliseconds) || process.exitStatus() != QProcess::NormalExit) {
     return {};

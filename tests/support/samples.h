@@ -8,6 +8,7 @@
 #include "core/fusion/update.h"
 #include "core/io/mesh_file.h"
 #include "core/io/scenario.h"
+#include "tests/support/places.h"
 
 /// The project's sample models and scenarios, for tests.
 namespace graftsman::samples {
@@ -22,11 +23,11 @@ inline const std::vector<std::string> kModels = {"cone.stl",   "sphere.off",  "h
                                                  "boxcar.off", "penguin.obj", "plane.ply",      "spot.obj"};
 
 inline std::filesystem::path scenarioPath(const std::string& name) {
-  return std::filesystem::path(GRAFTSMAN_SAMPLES) / "scenarios" / (name + ".json");
+  return places::samples() / "scenarios" / (name + ".json");
 }
 
 inline std::filesystem::path modelPath(const std::string& name) {
-  return std::filesystem::path(GRAFTSMAN_SAMPLES) / "models" / name;
+  return places::samples() / "models" / name;
 }
 
 /// The inputs of a sample scenario; aborts the program with the message if it cannot be read.

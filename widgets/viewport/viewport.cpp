@@ -1,5 +1,6 @@
 #include "widgets/viewport/viewport.h"
 
+#include <vtkAutoInit.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
@@ -16,6 +17,8 @@
 #include "widgets/viewport/camera_view.h"
 #include "widgets/viewport/stand_in.h"
 #include "widgets/viewport/viewport_scene.h"
+
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
 namespace graftsman {
 namespace {
