@@ -11,6 +11,7 @@
 #include "app/workbench/main_window.h"
 #include "core/base/large_array.h"
 #include "widgets/theme/icon.h"
+#include "widgets/theme/indicator_style.h"
 
 using namespace graftsman;
 
@@ -58,6 +59,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("Graftsman");
   QApplication::setApplicationVersion(GRAFTSMAN_VERSION);
   QApplication::setWindowIcon(applicationIcon());
+  IndicatorStyle::install();
 
 #if QT_VERSION < QT_VERSION_CHECK(6, 5, 0)
   const DesktopColours desktopColours;

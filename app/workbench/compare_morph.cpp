@@ -97,7 +97,7 @@ void CompareWindow::showMorph() {
   }
   const auto& [a, b] = shown_->sides;
   if (shown_->sameFaces) {
-    panes_[1]->showBetween(a.drawn, b.drawn, share());
+    panes_[1]->showBetween(shown_->between, share());
   } else {
     panes_[1]->showSurface(share() < 0.5 ? a.drawn : b.drawn);
     if (a.mesh && b.mesh) {

@@ -11,10 +11,12 @@
 #include <QVBoxLayout>
 #include <QVariantAnimation>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/first_view.h"
 #include "widgets/panels/pane_frame.h"
 #include "widgets/theme/theme.h"
+#include "widgets/viewport/camera_view.h"
 #include "widgets/viewport/surface_pane.h"
 
 namespace graftsman {
@@ -122,7 +124,13 @@ void CompareWindow::connectKeys() {
     connect(new QShortcut(keys, this), &QShortcut::activated, this, what);
   };
   on(QKeySequence("Esc"), [this] { close(); });
-  on(QKeySequence("F"), [this] { panes_[mode() == Mode::SideBySide ? 0 : 1]->frameAll(); });
+  on(QKeySequence("F"), [this] { leading()->frameAll(); });
+  const std::pair<const char*, AxisView> views[] = {{"1", AxisView::Front}, {"Ctrl+1", AxisView::Back},
+                                                    {"3", AxisView::Right}, {"Ctrl+3", AxisView::Left},
+                                                    {"7", AxisView::Top},   {"Ctrl+7", AxisView::Bottom}};
+  for (const auto& [keys, view] : views) {
+    on(QKeySequence(keys), [this, view = view] { leading()->lookFrom(view); });
+  }
   on(QKeySequence("X"), [this] {
     if (mode() == Mode::Morph) {
       flip_->click();
@@ -133,6 +141,11 @@ void CompareWindow::connectKeys() {
       play_->click();
     }
   });
+}
+
+// The first pane that is seen: the other one follows it.
+SurfacePane* CompareWindow::leading() const {
+  return panes_[mode() == Mode::SideBySide ? 0 : 1];
 }
 
 void CompareWindow::setNavigation(Navigation navigation) {
@@ -311,7 +324,7 @@ QString CompareWindow::without() const {
 
 void CompareWindow::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  panes_[mode() == Mode::SideBySide ? 0 : 1]->setFocus();
+  leading()->setFocus();
 }
 
 void CompareWindow::hideEvent(QHideEvent* event) {

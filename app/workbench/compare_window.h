@@ -53,6 +53,7 @@ class CompareWindow : public QWidget {
   [[nodiscard]] QWidget* modeRow();
   [[nodiscard]] QWidget* morphRow();
   void connectKeys();
+  [[nodiscard]] SurfacePane* leading() const;
   void takeFirstView();
   void follow(Change change);
   void refresh();

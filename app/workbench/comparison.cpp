@@ -44,6 +44,9 @@ std::shared_ptr<const Compared> compareStates(const std::array<ComparedState, 2>
     return made;
   }
   made->sameFaces = a->vertexCount() == b->vertexCount() && a->faces() == b->faces();
+  if (made->sameFaces) {
+    made->between = drawBetween(made->sides[0].drawn, made->sides[1].drawn);
+  }
   if (Result<SurfaceDifference> difference = differenceOf(*b, a, progress.span(2 * kOneState, 1))) {
     made->difference = *std::move(difference);
     const double range = made->difference->usual;

@@ -14,6 +14,7 @@
 
 namespace graftsman {
 
+struct DrawnBetween;
 struct DrawnSurface;
 
 /// One of two states to be compared.
@@ -34,6 +35,7 @@ struct Compared {
   std::optional<SurfaceDifference> difference;   // of the second from the first; nullopt: one has no result
   std::shared_ptr<const DrawnSurface> coloured;  // the second, by its distances
   bool sameFaces = false;                        // one can become the other
+  std::shared_ptr<const DrawnBetween> between;   // where it can
 };
 
 /// Computes and compares two states on a thread of its own. Lives in the GUI thread, which never waits for it

@@ -199,14 +199,16 @@ Result<SweepPlan> SweepDialog::chosen() const {
   if (!plan) {
     return plan;
   }
-  if (Result<void> checked = check(plan->checked()); !checked) {
-    return fail(std::move(checked.error()));
-  }
-  if (plan->count() > kMostResults) {
+  // Before core's check, which has the words of the command line's files.
+  if (const std::size_t count = plan->count(); count > kMostResults) {
+    const bool capped = count > Sweep::kMostCombinations;
     return refuse(tr("%1 would be more variants than %2. Tick fewer values; graftsman-cli sweep makes files "
                      "of as many results as you like.")
-                      .arg(plan->count())
+                      .arg(capped ? tr("More than %1").arg(Sweep::kMostCombinations) : QString::number(count))
                       .arg(kMostResults));
+  }
+  if (Result<void> checked = check(plan->checked()); !checked) {
+    return fail(std::move(checked.error()));
   }
   if (files_->isChecked() && folder_->text().trimmed().isEmpty()) {
     return refuse(tr("Choose a folder for the files, or write none."));

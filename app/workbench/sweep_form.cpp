@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <cmath>
+#include <set>
 
 #include "widgets/theme/theme.h"
 
@@ -123,14 +124,24 @@ std::vector<Offered<T>> SweepForm::ticked(List list, const std::vector<Offered<T
 
 Result<std::vector<double>> SweepForm::falloffs() const {
   static const QRegularExpression kBetween("[,;\\s]+");
+  const auto refuse = [](const QString& message) {
+    return fail(ErrorCode::SettingOutOfRange, message.toStdString());
+  };
   std::vector<double> values;
+  std::set<double> seen;
   for (const QString& word : falloffs_->text().split(kBetween, Qt::SkipEmptyParts)) {
     bool isNumber = false;
-    values.push_back(QLocale::c().toDouble(word, &isNumber));
-    if (!isNumber) {
-      return fail(ErrorCode::SettingOutOfRange,
-                  tr("“%1” is no number. Write falloffs as “1, 3.5, 5”.").arg(word).toStdString());
+    const double value = QLocale::c().toDouble(word, &isNumber);
+    if (!isNumber || !std::isfinite(value)) {
+      return refuse(tr("“%1” is no number. Write falloffs as “1, 3.5, 5”.").arg(word));
     }
+    if (value <= 0) {
+      return refuse(tr("“%1” is no falloff. Write numbers greater than 0.").arg(word));
+    }
+    if (!seen.insert(value).second) {
+      return refuse(tr("“%1” is among the falloffs twice. Write it once.").arg(word));
+    }
+    values.push_back(value);
   }
   return values;
 }

@@ -17,6 +17,7 @@
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/stages_panel.h"
 #include "widgets/theme/theme.h"
+#include "widgets/variants/suggestion_strip.h"
 
 // The window's docks and bars, and how they are laid out.
 namespace graftsman {
@@ -24,6 +25,7 @@ namespace {
 
 constexpr auto kLayoutKey = "window/layout";
 constexpr auto kGeometryKey = "window/geometry";
+constexpr auto kSuggestionsKey = "window/suggestions";
 constexpr auto kClosedByPerson = "closedByPerson";
 // Of saveState(): another number after a change of docks or bars.
 constexpr int kLayoutVersion = 3;
@@ -141,12 +143,16 @@ void MainWindow::restoreLayout() {
     resize(kFirstSize);
   }
   laidOut_ = restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
+  const bool suggesting = settings.value(kSuggestionsKey, false).toBool();
+  suggestions_->setVisible(suggesting);
+  (*actions_)["suggestions"]->setChecked(suggesting);
 }
 
 void MainWindow::saveLayout() const {
   QSettings settings;
   settings.setValue(kGeometryKey, saveGeometry());
   settings.setValue(kLayoutKey, saveState(kLayoutVersion));
+  settings.setValue(kSuggestionsKey, !suggestions_->isHidden());
 }
 
 }  // namespace graftsman

@@ -9,12 +9,11 @@
 #include <QListView>
 #include <QToolButton>
 
-// The strip of suggestions under the result: closed until the person opens it.
+// The strip of suggestions under the result: closed until the person opens it, and then as it was left.
 namespace graftsman {
 
 void MainWindow::makeSuggestions() {
   suggestions_ = new SuggestionStrip(fusion_);
-  suggestions_->hide();
   fusion_->addBelow(suggestions_);
   suggester_ = new Suggester(
       *model_, *runner_, *suggestions_, [this] { return resultView(); }, this);

@@ -12,7 +12,8 @@
 namespace graftsman {
 namespace {
 
-constexpr std::size_t kGrain = 512;  // vertices of one thread's turn
+constexpr std::size_t kGrain = 512;          // vertices of one thread's turn
+constexpr std::size_t kBlock = 64 * kGrain;  // vertices from one look at the progress to the next
 
 bool isClosed(const TriangleMesh& mesh) {
   for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
@@ -71,17 +72,28 @@ std::vector<double> shares(const FusionResults& results) {
   return result;
 }
 
-void measureDistance(const FusionResults& results, const NearestSurface& base, Measures& measures) {
+// False: it was stopped.
+bool measureDistance(const FusionResults& results, const NearestSurface& base, const Progress& progress,
+                     Measures& measures) {
   const CombinedTile& combined = *results.combined;
   std::vector<double> distances(combined.base.size());
-  parallelRanges(distances.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto v = static_cast<std::size_t>(results.join->tileVertices[i]);
-      const Point& p = results.fused->points[v];
-      // The vertex's place on the base is a point of its surface.
-      distances[i] = base.distance(p, (p - combined.base[i]).norm());
+  const auto find = [&](std::size_t i) {
+    const auto v = static_cast<std::size_t>(results.join->tileVertices[i]);
+    const Point& p = results.fused->points[v];
+    // The vertex's place on the base is a point of its surface.
+    distances[i] = base.distance(p, (p - combined.base[i]).norm());
+  };
+  for (std::size_t from = 0; from < distances.size(); from += kBlock) {
+    if (!progress.keepGoing(static_cast<double>(from) / static_cast<double>(distances.size()))) {
+      return false;
     }
-  });
+    const std::size_t size = std::min(kBlock, distances.size() - from);
+    parallelRanges(size, kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = from + begin; i < from + end; ++i) {
+        find(i);
+      }
+    });
+  }
   const std::vector<double> weights = shares(results);
   double sum = 0;
   double weight = 0;
@@ -91,6 +103,7 @@ void measureDistance(const FusionResults& results, const NearestSurface& base, M
     weight += weights[i];
   }
   measures.meanDistance = weight > 0 ? sum / weight : 0;
+  return true;
 }
 
 void measureQuality(const FusionResults& results, Measures& measures) {
@@ -111,7 +124,7 @@ void measureQuality(const FusionResults& results, Measures& measures) {
 
 }  // namespace
 
-Measures measure(const FusionResults& results, const NearestSurface& base) {
+Result<Measures> measure(const FusionResults& results, const NearestSurface& base, const Progress& progress) {
   assert(results.fused && base.mesh() == results.inputs.base);
   const SeamAngles angles = seamAngles(results.fused->points, *results.join, results.combined->seamSize);
   Measures measures;
@@ -119,7 +132,9 @@ Measures measure(const FusionResults& results, const NearestSurface& base) {
   measures.greatestSeamAngle = angles.greatest;
   // As closed as the base: DESIGN.md §4, 3.
   measureSize(*results.fused, isClosed(*results.inputs.base), measures);
-  measureDistance(results, base, measures);
+  if (!measureDistance(results, base, progress, measures)) {
+    return fail(ErrorCode::Cancelled, "Measuring was cancelled.");
+  }
   measureQuality(results, measures);
   measures.vertices = static_cast<Index>(results.fused->points.size());
   measures.faces = static_cast<Index>(results.fused->faces().size());
@@ -127,7 +142,7 @@ Measures measure(const FusionResults& results, const NearestSurface& base) {
 }
 
 Measures measure(const FusionResults& results) {
-  return measure(results, NearestSurface(results.inputs.base));
+  return measure(results, NearestSurface(results.inputs.base), {}).value();
 }
 
 }  // namespace graftsman

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/fusion/update.h"
 #include "core/mesh/nearest_surface.h"
 
@@ -29,10 +31,11 @@ struct Measures {
 
 /// Measures a finished fusion (`results.fused` present); `base`: a tree over its base, to be made once for
 /// many results. The same bits on any number of threads. Cost: linear, and a look into the tree for each
-/// vertex of the combined tile.
-[[nodiscard]] Measures measure(const FusionResults& results, const NearestSurface& base);
+/// vertex of the combined tile. Errors: Cancelled.
+[[nodiscard]] Result<Measures> measure(const FusionResults& results, const NearestSurface& base,
+                                       const Progress& progress);
 
-/// The same with a tree of its own.
+/// The same with a tree of its own; nothing stops it.
 [[nodiscard]] Measures measure(const FusionResults& results);
 
 }  // namespace graftsman

@@ -24,6 +24,7 @@ constexpr double kLowered = 0.6;       // of a curve's height
 constexpr double kEquallyGood = 0.01;  // of the whole range of a measure
 constexpr std::size_t kTileSamples = 256;
 constexpr std::size_t kOtherValues = 2;  // of falloffs and of shifts, besides the present one
+constexpr double kFusionShare = 0.7;     // of a setting's progress; the rest is measuring
 
 // How much farther than the best shift another may leave the CVs, as a factor and in diameters of the base's
 // loop; and what counts as equally near.
@@ -238,7 +239,7 @@ Result<Suggestions> suggest(const FusionResults& present, const NearestSurface& 
     if (placement == failedPlacement) {
       continue;  // curves cannot mend it
     }
-    previous = update(sweep.inputs(combination), previous, step);
+    previous = update(sweep.inputs(combination), previous, step.span(0, kFusionShare));
     if (previous.error && previous.error->code == ErrorCode::Cancelled) {
       return fail(*previous.error);
     }
@@ -261,10 +262,14 @@ Result<Suggestions> suggest(const FusionResults& present, const NearestSurface& 
     if (presentPlaces && rootMeanSquareDistance(*presentPlaces, there) < kLookAlike * unit) {
       continue;
     }
+    const Result<Measures> measures = measure(previous, base, step.span(kFusionShare, 1));
+    if (!measures) {
+      return fail(measures.error());
+    }
     const SweepChoice choice = sweep.choice(combination);
     const TriedCurve& curve = curves[choice.curve];
     suggestions.candidates.push_back({previous.inputs, curve.preset, curve.height, sweep.shifts[choice.shift],
-                                      changesOf(present.inputs, previous.inputs), measure(previous, base)});
+                                      changesOf(present.inputs, previous.inputs), *measures});
     places.push_back(std::move(there));
     if (!step.keepGoing(1)) {
       return fail(ErrorCode::Cancelled, "The search for suggestions was cancelled.");

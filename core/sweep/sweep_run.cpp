@@ -12,7 +12,13 @@ SweepResult SweepRun::run(std::size_t combination, const Progress& progress) {
     if (!base_) {
       base_ = std::make_unique<const NearestSurface>(sweep_->base.base);
     }
-    result.measures = measure(result.results, *base_);
+    Result<Measures> measures = measure(result.results, *base_, progress.span(kFusionShare, 1));
+    if (measures) {
+      result.measures = *measures;
+    } else {
+      result.results.fused = nullptr;
+      result.results.error = std::move(measures.error());
+    }
   }
   return result;
 }

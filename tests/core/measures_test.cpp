@@ -143,6 +143,14 @@ class MeasuresTest : public QObject {
     QVERIFY(measure(results) == one);
   }
 
+  void itStopsWhenAsked() {
+    const FusionResults results = fused("fig4c_cone_sphere");
+    const Progress stop([](double) { return false; }, std::chrono::seconds(0));
+    const Result<Measures> stopped = measure(results, NearestSurface(results.inputs.base), stop);
+    QVERIFY(!stopped);
+    QVERIFY(stopped.error().code == ErrorCode::Cancelled);
+  }
+
   void theNearestSurfaceIsFoundFromAnywhere() {
     const auto torus = shapes::torus(24, 16);
     const NearestSurface nearest(torus);

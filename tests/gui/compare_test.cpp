@@ -2,6 +2,7 @@
 #include <QPointer>
 #include <QSlider>
 #include <QToolButton>
+#include <tuple>
 
 #include "app/document/document_commands.h"
 #include "app/workbench/compare_window.h"
@@ -26,10 +27,10 @@ struct CompareHands {
     return window()->findChild<T*>(name);
   }
   /// A shortcut of the comparison's window. On a bare display nothing but the request keeps a window active.
-  void key(std::size_t side, Qt::Key key) const {
+  void key(std::size_t side, Qt::Key key, Qt::KeyboardModifiers modifiers = {}) const {
     window()->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window()));
-    QTest::keyClick(window()->pane(side), key);
+    QTest::keyClick(window()->pane(side), key, modifiers);
   }
   void press(const char* button) const { QTest::mouseClick(part<QToolButton>(button), Qt::LeftButton); }
   /// True once what was asked for is shown.
@@ -137,6 +138,33 @@ class CompareTest : public QObject {
     const QPointer<CompareWindow> open(&window);
     hands.key(0, Qt::Key_Escape);
     QTRY_VERIFY(!open);
+  }
+
+  void theViewKeysTurnBothAsTheyDoInTheMainWindow() {
+    Workbench bench;
+    QVERIFY(keepThree(bench));
+    const CompareHands hands{bench};
+    QVERIFY(hands.open({"Variant 1", "Variant 2"}));
+    CompareWindow& window = *hands.window();
+    const Camera result = bench.resultPane()->camera();
+    const std::tuple<Qt::Key, Qt::KeyboardModifiers, AxisView> views[] = {
+        {Qt::Key_1, {}, AxisView::Front}, {Qt::Key_1, Qt::ControlModifier, AxisView::Back},
+        {Qt::Key_3, {}, AxisView::Right}, {Qt::Key_3, Qt::ControlModifier, AxisView::Left},
+        {Qt::Key_7, {}, AxisView::Top},   {Qt::Key_7, Qt::ControlModifier, AxisView::Bottom}};
+    const auto turnsBoth = [&](std::size_t side) {
+      for (const auto& [key, modifiers, view] : views) {
+        const Camera wanted = lookingFrom(window.pane(side)->camera(), view);
+        hands.key(side, key, modifiers);
+        QVERIFY(window.pane(0)->camera() == window.pane(1)->camera());
+        const Camera& camera = window.pane(side)->camera();
+        QVERIFY((camera.position - wanted.position).norm() < 1e-9 && (camera.up - wanted.up).norm() < 1e-9);
+      }
+    };
+    turnsBoth(0);
+    turnsBoth(1);
+    hands.press("compareDifference");
+    turnsBoth(1);
+    QVERIFY(bench.resultPane()->camera() == result);
   }
 
   void theDifferenceIsThatOfTheSurfaces() {

@@ -1,6 +1,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QListView>
+#include <QSettings>
 #include <QToolButton>
 #include <algorithm>
 
@@ -92,6 +93,8 @@ class SuggestionsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void init() { QSettings().clear(); }
+
   void theStripIsClosedAtFirstAndNothingIsLookedFor() {
     Workbench bench;
     const StripHands hands{bench};
@@ -105,6 +108,28 @@ class SuggestionsTest : public QObject {
     QTest::mouseClick(bench.window->findChild<QToolButton*>("suggestionsClose"), Qt::LeftButton);
     QVERIFY(!hands.strip()->isVisible());
     QVERIFY(!bench.action("suggestions")->isChecked());
+  }
+
+  void theNextStartHasItAsItWasLeft() {
+    for (const bool open : {false, true, true, false}) {
+      {
+        Workbench bench;
+        const StripHands hands{bench};
+        bench.window->setMode(MainWindow::Mode::Fusion);
+        if (hands.strip()->isVisible() != open) {
+          hands.open();
+        }
+        QVERIFY(bench.window->close());
+      }
+      Workbench bench;
+      const StripHands hands{bench};
+      QCOMPARE(bench.action("suggestions")->isChecked(), open);
+      QVERIFY(!hands.strip()->isVisible());  // on the start page
+      QVERIFY(bench.openSample("fig4c_cone_sphere"));
+      bench.window->setMode(MainWindow::Mode::Fusion);
+      QCOMPARE(hands.strip()->isVisible(), open);
+      QVERIFY(!open || hands.ready());
+    }
   }
 
   void aClickTakesOneInOneStepAndTheStripStays() {

@@ -172,14 +172,21 @@ class SweepDialogTest : public QObject {
   void whatCannotBeRunSaysWhy() {
     Workbench bench;
     QVERIFY(bench.openSample("fig4c_cone_sphere"));
+    QTest::keyClick(bench.window.get(), Qt::Key_1, Qt::ShiftModifier);  // the present curve is Linear
+    QVERIFY(bench.settle());
     const SweepHands hands{bench};
     hands.open();
     auto* run = hands.the<QPushButton>("sweepRun");
     const std::pair<const char*, const char*> lines[] = {
-        {"1, two", "“two” is no number"}, {"1, 0", "greater than 0"}, {"3 3", "twice"}};
+        {"1, two", "“two” is no number"},
+        {"1, inf", "“inf” is no number"},
+        {"1, 0", "“0” is no falloff. Write numbers greater than 0."},
+        {"-2.5 1", "“-2.5” is no falloff. Write numbers greater than 0."},
+        {"3 3.0", "“3.0” is among the falloffs twice. Write it once."}};
     for (const auto& [typed, said] : lines) {
       hands.type("sweepFalloffs", typed);
       QVERIFY2(hands.problem().contains(said), qPrintable(hands.problem()));
+      QVERIFY(!hands.problem().contains("deform_exponent"));
       QVERIFY(!run->isEnabled());
     }
     QStringList many;
@@ -189,6 +196,17 @@ class SweepDialogTest : public QObject {
     hands.the<QLineEdit>("sweepFalloffs")->setText(many.join(' '));
     QVERIFY2(hands.problem().contains("more variants than 1000"), qPrintable(hands.problem()));
     QVERIFY(!run->isEnabled());
+    // 1001 × 3 curves × 4 embeddings × 4 adjustments × 3 shifts.
+    const auto tickMore = [&] {
+      hands.click("sweepCurves", {"Paste", "Half"});
+      hands.click("sweepEmbeddings", {"Cotangent", "Mean value", "Low stretch"});
+      hands.click("sweepAdjustments", {"Without line field", "Rigid only", "Without exact fit"});
+      hands.click("sweepShifts", {"1", "2"});
+    };
+    tickMore();
+    QVERIFY2(hands.problem().contains("More than 100000 would be more variants than 1000."),
+             qPrintable(hands.problem()));
+    tickMore();  // no more
     hands.the<QLineEdit>("sweepFalloffs")->setText("1 2");
     QVERIFY(run->isEnabled());
     bench.action("openLoop")->trigger();

@@ -21,6 +21,7 @@
 #include "tests/support/gallery.h"
 #include "tests/support/stacked.h"
 #include "tests/support/workbench.h"
+#include "widgets/theme/indicator_style.h"
 #include "widgets/variants/suggestion_strip.h"
 #include "widgets/variants/suggestions_model.h"
 #include "widgets/viewport/result_pane.h"
@@ -313,6 +314,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QApplication::setOrganizationName("Graftsman");
   QApplication::setApplicationName("Screenshots");
+  IndicatorStyle::install();
   if (argc < 2) {
     std::fprintf(stderr, "usage: screenshots FOLDER [--all | --samples]\n");
     return 2;

@@ -22,6 +22,7 @@
 #include "widgets/viewport/camera_view.h"
 #include "widgets/viewport/colouring_scale.h"
 #include "widgets/viewport/shading.h"
+#include "widgets/viewport/surface_between.h"
 
 namespace graftsman {
 
@@ -31,15 +32,27 @@ struct DrawnSurface {
   vtkSmartPointer<vtkPolyData> data;
 };
 
+struct DrawnBetween {
+  std::shared_ptr<const DrawnSurface> a;
+  std::shared_ptr<const DrawnSurface> b;
+  BetweenLayout layout;
+  vtkSmartPointer<vtkCellArray> cells;
+};
+
 namespace {
 
 constexpr double kLightInShadow = 0.1;
 constexpr int kScaleSteps = 20;  // of the legend's bar
 
-vtkSmartPointer<vtkFloatArray> normalsArray(const std::vector<Eigen::Vector3f>& normals) {
+vtkSmartPointer<vtkFloatArray> normalsArray(std::size_t count) {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(normals.size()));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  return array;
+}
+
+vtkSmartPointer<vtkFloatArray> normalsArray(const std::vector<Eigen::Vector3f>& normals) {
+  auto array = normalsArray(normals.size());
   for (std::size_t i = 0; i < normals.size(); ++i) {
     array->SetTypedTuple(static_cast<vtkIdType>(i), normals[i].data());
   }
@@ -76,25 +89,6 @@ vtkSmartPointer<vtkUnsignedCharArray> distanceColours(const Shading& shading,
   return colours;
 }
 
-// The creases stay where the first surface has them.
-std::vector<Eigen::Vector3f> normalsBetween(const Shading& shading, vtkPoints& points, double unit) {
-  std::vector<Eigen::Vector3f> normals(shading.meshVertices.size(), Eigen::Vector3f::Zero());
-  const auto* at = static_cast<const double*>(points.GetVoidPointer(0));
-  const auto place = [at](Index v) { return Eigen::Map<const Point>(at + 3 * static_cast<std::size_t>(v)); };
-  for (const Face& face : shading.faces) {
-    const Eigen::Vector3d ab = unit * (place(face[1]) - place(face[0]));
-    const Eigen::Vector3d ac = unit * (place(face[2]) - place(face[0]));
-    const Eigen::Vector3f normal = ab.cross(ac).cast<float>();
-    for (const Index v : face) {
-      normals[static_cast<std::size_t>(v)] += normal;
-    }
-  }
-  for (Eigen::Vector3f& normal : normals) {
-    normal.normalize();
-  }
-  return normals;
-}
-
 }  // namespace
 
 std::shared_ptr<const DrawnSurface> drawSurface(std::shared_ptr<const TriangleMesh> mesh,
@@ -120,6 +114,16 @@ std::shared_ptr<const DrawnSurface> drawSurface(std::shared_ptr<const TriangleMe
   return drawn;
 }
 
+std::shared_ptr<const DrawnBetween> drawBetween(std::shared_ptr<const DrawnSurface> a,
+                                                std::shared_ptr<const DrawnSurface> b) {
+  auto drawn = std::make_shared<DrawnBetween>();
+  drawn->layout = layOutBetween(*a->mesh, a->shading, b->shading);
+  drawn->cells = cellsOf(drawn->layout.faces);
+  drawn->a = std::move(a);
+  drawn->b = std::move(b);
+  return drawn;
+}
+
 Legend distanceLegend(const QString& title, double range, bool beyond, const QString& note) {
   Legend legend;
   legend.title = title;
@@ -136,7 +140,10 @@ Legend distanceLegend(const QString& title, double range, bool beyond, const QSt
 
 struct SurfacePane::Content {
   std::shared_ptr<const DrawnSurface> surface;  // shown; between two, the first
-  vtkNew<vtkPolyData> between;
+  // What lies between, and the arrays of its last frame, written anew for the next.
+  std::shared_ptr<const DrawnBetween> between;
+  vtkNew<vtkPolyData> betweenData;
+  std::vector<Eigen::Vector3f> areas;
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
   Legend legend;
@@ -168,27 +175,32 @@ void SurfacePane::showSurface(std::shared_ptr<const DrawnSurface> surface) {
   renderLater();
 }
 
-void SurfacePane::showBetween(const std::shared_ptr<const DrawnSurface>& a,
-                              const std::shared_ptr<const DrawnSurface>& b, double t) {
+void SurfacePane::showBetween(const std::shared_ptr<const DrawnBetween>& between, double t) {
   if (t <= 0 || t >= 1) {
-    showSurface(t <= 0 ? a : b);
+    showSurface(t <= 0 ? between->a : between->b);
     return;
   }
   Content& content = *content_;
-  const std::vector<Index>& vertices = a->shading.meshVertices;
-  const auto points = pointsArray(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Point at = (1 - t) * a->mesh->point(vertices[i]) + t * b->mesh->point(vertices[i]);
-    points->SetPoint(static_cast<vtkIdType>(i), at.data());
+  const BetweenLayout& layout = between->layout;
+  const std::size_t count = layout.meshVertices.size();
+  vtkPolyData& drawn = *content.betweenData;
+  if (content.between != between) {
+    content.between = between;
+    content.areas.resize(layout.faces.size());
+    drawn.SetPolys(between->cells);
+    drawn.SetPoints(pointsArray(count));
+    drawn.GetPointData()->SetNormals(normalsArray(count));
   }
-  const double unit = a->mesh->diagonal() > 0 ? 1 / a->mesh->diagonal() : 1;
-  if (content.between->GetPolys() != a->data->GetPolys()) {
-    content.between->SetPolys(a->data->GetPolys());
-  }
-  content.between->SetPoints(points);
-  content.between->GetPointData()->SetNormals(normalsArray(normalsBetween(a->shading, *points, unit)));
-  content.surface = a;
-  content.mapper->SetInputData(content.between);
+  vtkPoints& points = *drawn.GetPoints();
+  vtkDataArray& normals = *drawn.GetPointData()->GetNormals();
+  writeBetween(layout, *between->a->mesh, *between->b->mesh, t,
+               {static_cast<double*>(points.GetVoidPointer(0)), 3 * count},
+               {static_cast<float*>(normals.GetVoidPointer(0)), 3 * count}, content.areas);
+  points.Modified();
+  normals.Modified();
+  drawn.Modified();
+  content.surface = between->a;
+  content.mapper->SetInputData(&drawn);
   content.mapper->SetScalarVisibility(false);
   content.actor->SetVisibility(true);
   renderLater();

@@ -12,11 +12,18 @@ namespace graftsman {
 /// A surface made ready for SurfacePane: shaded and, by distances, coloured. Immutable.
 struct DrawnSurface;
 
+/// What lies between two such surfaces, made ready likewise.
+struct DrawnBetween;
+
 /// On any thread. `distances`: of each vertex, drawn in the colours of divergingColour(distance / range);
 /// empty: in the mesh's colour. `range` > 0.
 [[nodiscard]] std::shared_ptr<const DrawnSurface> drawSurface(std::shared_ptr<const TriangleMesh> mesh,
                                                               std::span<const double> distances = {},
                                                               double range = 1);
+
+/// On any thread. Precondition: both have the same faces and as many vertices.
+[[nodiscard]] std::shared_ptr<const DrawnBetween> drawBetween(std::shared_ptr<const DrawnSurface> a,
+                                                              std::shared_ptr<const DrawnSurface> b);
 
 /// The legend of such distances from −range to range, with numbers in the model's unit. `beyond`: some are
 /// greater and have the colours of the ends.
@@ -32,10 +39,8 @@ class SurfacePane : public Viewport {
 
   /// Null: nothing. The camera stays.
   void showSurface(std::shared_ptr<const DrawnSurface> surface);
-  /// The surface whose vertices lie at (1 − t) a + t b; at the ends the very surfaces. Precondition: both
-  /// have the same faces and as many vertices; t in [0, 1].
-  void showBetween(const std::shared_ptr<const DrawnSurface>& a, const std::shared_ptr<const DrawnSurface>& b,
-                   double t);
+  /// The surface whose vertices lie at (1 − t) a + t b; at the ends the very surfaces. t in [0, 1].
+  void showBetween(const std::shared_ptr<const DrawnBetween>& between, double t);
   /// Explains the colours, in the pane's corner; without a title nothing.
   void setLegend(Legend legend);
 
