@@ -26,10 +26,9 @@ struct CompareHands {
   [[nodiscard]] T* part(const char* name) const {
     return window()->findChild<T*>(name);
   }
-  /// A shortcut of the comparison's window. On a bare display nothing but the request keeps a window active.
+  /// A shortcut of the comparison's window.
   void key(std::size_t side, Qt::Key key, Qt::KeyboardModifiers modifiers = {}) const {
-    window()->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window()));
+    QVERIFY(activated(*window()));
     QTest::keyClick(window()->pane(side), key, modifiers);
   }
   void press(const char* button) const { QTest::mouseClick(part<QToolButton>(button), Qt::LeftButton); }
@@ -46,7 +45,7 @@ struct CompareHands {
       gallery.click(name, Qt::ControlModifier);
     }
     QTest::keyClick(gallery.view(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
-    return ready() && QTest::qWaitForWindowActive(window());
+    return ready() && activated(*window());
   }
   /// What the right pane's footer says.
   [[nodiscard]] QString words() const {

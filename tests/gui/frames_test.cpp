@@ -31,13 +31,13 @@ class FramesTest : public QObject {
 
   /// Opens the dialog and fills it in.
   static void choose(const Workbench& bench, Film::Kind kind, int count, const QString& folder) {
+    bench.activate();
     QTest::keyClick(bench.window.get(), Qt::Key_E, Qt::ControlModifier | Qt::AltModifier);
     auto* dialog = the<FramesDialog>(bench, "framesDialog");
     if (!dialog) {
       qFatal("no dialog");
     }
-    dialog->activateWindow();
-    if (!QTest::qWaitForWindowActive(dialog)) {
+    if (!activated(*dialog)) {
       qFatal("the dialog does not become active");
     }
     auto* film = the<QComboBox>(bench, "framesKind");
@@ -48,7 +48,7 @@ class FramesTest : public QObject {
     setNumber(bench, "framesHeight", 60);
     QTest::keyClick(dialog, Qt::Key_F, Qt::AltModifier);
     auto* line = the<QLineEdit>(bench, "framesFolder");
-    if (!QTest::qWaitFor([line] { return line->hasFocus(); }, kPatienceMs)) {
+    if (QApplication::focusWidget() != line) {
       qFatal("the key does not lead to the folder");
     }
     line->clear();

@@ -18,6 +18,7 @@ struct SweepHands {
   const Workbench& bench;
 
   void open() const {
+    bench.activate();
     QTest::keyClick(bench.window.get(), Qt::Key_W, Qt::ControlModifier | Qt::ShiftModifier);
     if (!QTest::qWaitForWindowExposed(dialog())) {
       qFatal("no dialog");

@@ -30,6 +30,13 @@ namespace graftsman {
 
 inline constexpr int kPatienceMs = 60'000;
 
+/// True once the keyboard is the window's own, as its shortcuts need it. (To Qt Test's qWaitForWindowActive()
+/// a window is active, too, while its parent is.) On a bare display no window manager gives it the keyboard.
+[[nodiscard]] inline bool activated(QWidget& window) {
+  window.activateWindow();
+  return QTest::qWaitFor([&window] { return QApplication::activeWindow() == &window; }, kPatienceMs);
+}
+
 struct Workbench {
   QTemporaryDir folder;
   std::unique_ptr<MainWindow> window;

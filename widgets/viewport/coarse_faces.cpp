@@ -1,8 +1,8 @@
 #include "widgets/viewport/coarse_faces.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -128,6 +128,31 @@ CoarseFaces coarsen(const float* positions, const float* normals, Index vertexCo
   CoarseFaces coarse = run(findBorder(vertexCount, faces));
   // A surface of scraps is all border.
   return coarse.faces.size() <= kManyDrawnFaces ? std::move(coarse) : run({});
+}
+
+Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Point& point : mesh.points()) {
+    box.extend(point);
+  }
+  return box;
+}
+
+CoarseFaces coarsen(const TriangleMesh& mesh, std::span<const Index> meshVertices,
+                    std::span<const Eigen::Vector3f> normals, std::span<const Face> faces,
+                    const Eigen::AlignedBox3d& box) {
+  if (faces.size() <= kManyDrawnFaces) {
+    return {};
+  }
+  // Within [0, 1], whatever the model's unit.
+  const double unit = 1 / std::max(box.sizes().maxCoeff(), std::numeric_limits<double>::min());
+  std::vector<Eigen::Vector3f> positions;
+  positions.reserve(meshVertices.size());
+  for (const Index v : meshVertices) {
+    positions.emplace_back((unit * (mesh.point(v) - box.min())).cast<float>());
+  }
+  return coarsen(positions[0].data(), normals[0].data(), static_cast<Index>(positions.size()), faces,
+                 ClusterGrid::across(1));
 }
 
 }  // namespace graftsman

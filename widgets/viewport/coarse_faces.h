@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <span>
 #include <vector>
 
@@ -33,5 +33,13 @@ struct ClusterGrid {
 /// normals: 3 × vertexCount. Cost: linear.
 [[nodiscard]] CoarseFaces coarsen(const float* positions, const float* normals, Index vertexCount,
                                   std::span<const Face> faces, const ClusterGrid& grid);
+
+[[nodiscard]] Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh);
+
+/// Likewise of a mesh's shaded vertices and the faces between them, in cubes that divide the box.
+/// meshVertices, normals: of each shaded vertex.
+[[nodiscard]] CoarseFaces coarsen(const TriangleMesh& mesh, std::span<const Index> meshVertices,
+                                  std::span<const Eigen::Vector3f> normals, std::span<const Face> faces,
+                                  const Eigen::AlignedBox3d& box);
 
 }  // namespace graftsman

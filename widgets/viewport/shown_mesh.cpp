@@ -9,7 +9,6 @@
 #include <vtkStaticCellLocator.h>
 
 #include <algorithm>
-#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -45,29 +44,6 @@ Eigen::Vector3d baryOf(const TriangleMesh& mesh, Index face, const Point& point)
   return bary / bary.sum();
 }
 
-Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Point& point : mesh.points()) {
-    box.extend(point);
-  }
-  return box;
-}
-
-CoarseFaces coarseFaces(const TriangleMesh& mesh, const Shading& shading, const Eigen::AlignedBox3d& box) {
-  if (shading.faces.size() <= kManyDrawnFaces) {
-    return {};
-  }
-  // Within [0, 1], whatever the model's unit.
-  const double unit = 1 / std::max(box.sizes().maxCoeff(), std::numeric_limits<double>::min());
-  std::vector<Eigen::Vector3f> positions;
-  positions.reserve(shading.meshVertices.size());
-  for (const Index v : shading.meshVertices) {
-    positions.emplace_back((unit * (mesh.point(v) - box.min())).cast<float>());
-  }
-  return coarsen(positions[0].data(), shading.normals[0].data(), static_cast<Index>(positions.size()),
-                 shading.faces, ClusterGrid::across(1));
-}
-
 }  // namespace
 
 DrawnTriangles drawTriangles(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box) {
@@ -92,7 +68,8 @@ DrawnTriangles drawTriangles(const TriangleMesh& mesh, const Eigen::AlignedBox3d
   // What VTK would otherwise find lazily, on the thread that draws or picks.
   drawn.all->ComputeBounds();
   drawn.all->BuildCells();
-  drawn.few = onSamePoints(*drawn.all, coarseFaces(mesh, shading, box));
+  drawn.few =
+      onSamePoints(*drawn.all, coarsen(mesh, shading.meshVertices, shading.normals, shading.faces, box));
   return drawn;
 }
 

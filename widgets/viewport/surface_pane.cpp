@@ -22,7 +22,9 @@
 #include "widgets/viewport/camera_view.h"
 #include "widgets/viewport/colouring_scale.h"
 #include "widgets/viewport/shading.h"
+#include "widgets/viewport/stand_in.h"
 #include "widgets/viewport/surface_between.h"
+#include "widgets/viewport/triangle_cells.h"
 
 namespace graftsman {
 
@@ -30,6 +32,7 @@ struct DrawnSurface {
   std::shared_ptr<const TriangleMesh> mesh;
   Shading shading;
   vtkSmartPointer<vtkPolyData> data;
+  vtkSmartPointer<vtkPolyData> few;  // for quick frames; null: there are not so many
 };
 
 struct DrawnBetween {
@@ -37,6 +40,7 @@ struct DrawnBetween {
   std::shared_ptr<const DrawnSurface> b;
   BetweenLayout layout;
   vtkSmartPointer<vtkCellArray> cells;
+  CoarseFaces coarse;
 };
 
 namespace {
@@ -57,16 +61,6 @@ vtkSmartPointer<vtkFloatArray> normalsArray(const std::vector<Eigen::Vector3f>& 
     array->SetTypedTuple(static_cast<vtkIdType>(i), normals[i].data());
   }
   return array;
-}
-
-vtkSmartPointer<vtkCellArray> cellsOf(const std::vector<Face>& faces) {
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->AllocateExact(static_cast<vtkIdType>(faces.size()), 3 * static_cast<vtkIdType>(faces.size()));
-  for (const Face& face : faces) {
-    const std::array<vtkIdType, 3> corners = {face[0], face[1], face[2]};
-    cells->InsertNextCell(3, corners.data());
-  }
-  return cells;
 }
 
 vtkSmartPointer<vtkPoints> pointsArray(std::size_t count) {
@@ -103,7 +97,7 @@ std::shared_ptr<const DrawnSurface> drawSurface(std::shared_ptr<const TriangleMe
   }
   drawn->data = vtkSmartPointer<vtkPolyData>::New();
   drawn->data->SetPoints(points);
-  drawn->data->SetPolys(cellsOf(drawn->shading.faces));
+  drawn->data->SetPolys(triangleCells(drawn->shading.faces));
   drawn->data->GetPointData()->SetNormals(normalsArray(drawn->shading.normals));
   if (!distances.empty()) {
     drawn->data->GetPointData()->SetScalars(distanceColours(drawn->shading, distances, range));
@@ -111,6 +105,8 @@ std::shared_ptr<const DrawnSurface> drawSurface(std::shared_ptr<const TriangleMe
   // What VTK would otherwise find lazily, on the thread that draws.
   drawn->data->ComputeBounds();
   drawn->data->BuildCells();
+  drawn->few = onSamePoints(*drawn->data, coarsen(*drawn->mesh, vertices, drawn->shading.normals,
+                                                  drawn->shading.faces, boxOf(*drawn->mesh)));
   return drawn;
 }
 
@@ -118,7 +114,13 @@ std::shared_ptr<const DrawnBetween> drawBetween(std::shared_ptr<const DrawnSurfa
                                                 std::shared_ptr<const DrawnSurface> b) {
   auto drawn = std::make_shared<DrawnBetween>();
   drawn->layout = layOutBetween(*a->mesh, a->shading, b->shading);
-  drawn->cells = cellsOf(drawn->layout.faces);
+  drawn->cells = triangleCells(drawn->layout.faces);
+  std::vector<Eigen::Vector3f> normals;
+  for (const auto& shaded : drawn->layout.shaded) {
+    normals.push_back(a->shading.normals[static_cast<std::size_t>(shaded[0])]);
+  }
+  drawn->coarse =
+      coarsen(*a->mesh, drawn->layout.meshVertices, normals, drawn->layout.faces, boxOf(*a->mesh));
   drawn->a = std::move(a);
   drawn->b = std::move(b);
   return drawn;
@@ -143,13 +145,19 @@ struct SurfacePane::Content {
   // What lies between, and the arrays of its last frame, written anew for the next.
   std::shared_ptr<const DrawnBetween> between;
   vtkNew<vtkPolyData> betweenData;
+  vtkSmartPointer<vtkPolyData> betweenFew;
   std::vector<Eigen::Vector3f> areas;
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
+  StandIn standIn;
   Legend legend;
+
+  explicit Content(vtkRenderer& renderer)
+      : standIn(renderer, *actor, vtkSmartPointer<vtkPolyDataMapper>::New()) {}
 };
 
-SurfacePane::SurfacePane(QWidget* parent) : Viewport(parent), content_(std::make_unique<Content>()) {
+SurfacePane::SurfacePane(QWidget* parent)
+    : Viewport(parent), content_(std::make_unique<Content>(*renderer())) {
   setObjectName(QStringLiteral("surfacePane"));
   setAccessibleName(tr("Surface"));
   content_->mapper->SetColorModeToDirectScalars();
@@ -169,6 +177,7 @@ void SurfacePane::showSurface(std::shared_ptr<const DrawnSurface> surface) {
   content.actor->SetVisibility(content.surface != nullptr);
   if (content.surface) {
     content.mapper->SetInputData(content.surface->data);
+    content.standIn.setInput(content.surface->few);
     content.mapper->SetScalarVisibility(content.surface->data->GetPointData()->GetScalars() != nullptr);
     keepFramed();
   }
@@ -190,6 +199,7 @@ void SurfacePane::showBetween(const std::shared_ptr<const DrawnBetween>& between
     drawn.SetPolys(between->cells);
     drawn.SetPoints(pointsArray(count));
     drawn.GetPointData()->SetNormals(normalsArray(count));
+    content.betweenFew = onSamePoints(drawn, between->coarse);
   }
   vtkPoints& points = *drawn.GetPoints();
   vtkDataArray& normals = *drawn.GetPointData()->GetNormals();
@@ -199,8 +209,12 @@ void SurfacePane::showBetween(const std::shared_ptr<const DrawnBetween>& between
   points.Modified();
   normals.Modified();
   drawn.Modified();
+  if (content.betweenFew) {
+    content.betweenFew->Modified();
+  }
   content.surface = between->a;
   content.mapper->SetInputData(&drawn);
+  content.standIn.setInput(content.betweenFew);
   content.mapper->SetScalarVisibility(false);
   content.actor->SetVisibility(true);
   renderLater();
@@ -222,6 +236,10 @@ std::vector<Point> SurfacePane::shownPoints() const {
     }
   }
   return points;
+}
+
+std::vector<StandIn*> SurfacePane::standIns() const {
+  return {&content_->standIn};
 }
 
 void SurfacePane::paintOver(QPainter& painter, const CameraView& view) {

@@ -48,6 +48,7 @@ class SurfacePane : public Viewport {
   [[nodiscard]] std::vector<Point> shownPoints() const;
 
  protected:
+  [[nodiscard]] std::vector<StandIn*> standIns() const override;
   void paintOver(QPainter& painter, const CameraView& view) override;
   void applyTheme(const Theme& theme) override;
 
