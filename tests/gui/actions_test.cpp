@@ -86,7 +86,7 @@ class ActionsTest : public QObject {
     for (const QWidget* widget : bench.window->findChildren<QWidget*>()) {
       const bool internal = widget->isHidden() || widget->objectName().startsWith("qt_") ||
                             widget->inherits("QMenu") || widget->inherits("QTabBar") ||
-                            widget->inherits("QScrollBar") ||
+                            widget->inherits("QScrollBar") || widget->inherits("QComboBoxListView") ||
                             QString(widget->metaObject()->className()).startsWith("QDockWidget") ||
                             QString(widget->metaObject()->className()).startsWith("QToolBar");
       if (internal || widget->focusPolicy() == Qt::NoFocus) {

@@ -2,6 +2,8 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -55,6 +57,22 @@ class AdjustmentPanelTest : public QObject {
       QCOMPARE(p.edited.size(), std::size_t{1});
       QVERIFY(p.edited.front() == expected);
     }
+  }
+
+  // Beside the scroll bar, also once the numbers have come.
+  void nothingIsCutOffAtTheSide() {
+    Panel p;
+    p.panel.resize(1, 200);
+    AdjustmentReport report;
+    report.reached = AdjustmentStep::LineField;
+    report.iterations = 20;
+    report.scale = 12.34;
+    report.distanceBefore = 1234.5;
+    report.distanceAfterRigid = report.distanceAfterScale = 0.00456;
+    p.panel.setReport(report);
+    const auto* scroll = p.find<QScrollArea>("adjustmentScroll");
+    QTRY_VERIFY(scroll->verticalScrollBar()->isVisible());
+    QTRY_VERIFY(scroll->widget()->width() <= scroll->viewport()->width());
   }
 
   void aTypedNumberIsOneEditWhenItIsComplete() {

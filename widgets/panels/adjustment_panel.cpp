@@ -83,13 +83,27 @@ AdjustmentPanel::AdjustmentPanel(QWidget* parent) : QWidget(parent) {
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->setMinimumWidth(content->minimumSizeHint().width() +
-                           scroll_->verticalScrollBar()->sizeHint().width());
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll_);
   setSettings({});
+  keepWidth();
   setReport({});
+}
+
+// Wide enough for the numbers that are to come: the docks would move with them.
+void AdjustmentPanel::keepWidth() {
+  constexpr double kWide = 0.00888;
+  AdjustmentReport report;
+  report.reached = AdjustmentStep::LineField;
+  report.iterations = 88;
+  report.scale = 88.8;
+  report.distanceBefore = report.distanceAfterRigid = report.distanceAfterScale =
+      report.distanceAfterLineField = kWide;
+  setReport(report);
+  scroll_->widget()->layout()->activate();
+  scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
+                           scroll_->verticalScrollBar()->sizeHint().width());
 }
 
 QSize AdjustmentPanel::sizeHint() const {

@@ -60,6 +60,7 @@ class AdjustmentPanel : public QWidget {
   [[nodiscard]] QLayout* shownChoice();
   void edit(const AdjustmentSettings& settings);
   void showReport();
+  void keepWidth();
   void flashControl(QWidget* control);
 
   AdjustmentSettings settings_;

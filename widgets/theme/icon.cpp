@@ -38,6 +38,17 @@ QColor paletteColour(QIcon::Mode mode) {
   }
 }
 
+QPixmap render(QSvgRenderer& svg, const QSize& size) {
+  QPixmap drawn(size);
+  drawn.fill(Qt::transparent);
+  if (!size.isEmpty()) {
+    svg.setAspectRatioMode(Qt::KeepAspectRatio);
+    QPainter painter(&drawn);
+    svg.render(&painter, QRectF(drawn.rect()));
+  }
+  return drawn;
+}
+
 // Draws an SVG's shapes in a single colour. The colour is looked up at each drawing, so that icons follow a
 // change from light to dark.
 class TintedIcon : public QIconEngine {
@@ -73,17 +84,13 @@ class TintedIcon : public QIconEngine {
 
  private:
   [[nodiscard]] QPixmap draw(const QSize& size, const QColor& colour) const {
-    QPixmap drawn(size);
-    drawn.fill(Qt::transparent);
-    if (size.isEmpty()) {
-      return drawn;
-    }
     QSvgRenderer svg(path_);
-    svg.setAspectRatioMode(Qt::KeepAspectRatio);
-    QPainter painter(&drawn);
-    svg.render(&painter, QRectF(drawn.rect()));
-    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
-    painter.fillRect(drawn.rect(), colour);
+    QPixmap drawn = render(svg, size);
+    if (!size.isEmpty()) {
+      QPainter painter(&drawn);
+      painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+      painter.fillRect(drawn.rect(), colour);
+    }
     return drawn;
   }
 
@@ -106,8 +113,14 @@ QIcon icon(const QString& name, const QColor& colour) {
   return tinted(name, colour);
 }
 
+// Drawn here: Qt's own engine for SVG icons is a plugin that not every system installs with the library.
 QIcon applicationIcon() {
-  return QIcon(pathOf(QStringLiteral("graftsman")));
+  QSvgRenderer svg(pathOf(QStringLiteral("graftsman")));
+  QIcon icon;
+  for (const int size : {16, 24, 32, 48, 64, 128, 256}) {
+    icon.addPixmap(render(svg, {size, size}));
+  }
+  return icon;
 }
 
 }  // namespace graftsman
