@@ -92,6 +92,7 @@ class MainWindow : public QMainWindow {
   void showDocksOf(Mode mode);
   void shareDocks(Mode mode);
   [[nodiscard]] int docksHeight() const;  // of all above each other
+  [[nodiscard]] int lowerDocks() const;   // the height of those that both modes have; 0: not known yet
   void restoreLayout();
   void saveLayout() const;
 

@@ -1,5 +1,8 @@
 #include "app/workbench/status_line.h"
 
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
@@ -7,6 +10,7 @@
 
 #include "app/document/commands.h"
 #include "app/document/stage_runner.h"
+#include "widgets/panels/elided_label.h"
 #include "widgets/theme/icon.h"
 #include "widgets/theme/theme.h"
 
@@ -15,7 +19,7 @@ namespace graftsman {
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent),
       icon_(new QLabel),
-      message_(new QLabel),
+      message_(new ElidedLabel),
       bar_(new QProgressBar),
       cancel_(new QToolButton),
       facts_(new QLabel),
@@ -27,7 +31,12 @@ StatusLine::StatusLine(QWidget* parent)
   icon_->setPixmap(icon("problem").pixmap(16));
   icon_->setAccessibleName(tr("Problem"));
   message_->setObjectName("statusMessage");
-  message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  message_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  auto* copy = new QAction(tr("Copy"), message_);
+  copy->setObjectName("copyMessage");
+  connect(copy, &QAction::triggered, this,
+          [this] { QGuiApplication::clipboard()->setText(message_->text()); });
+  message_->addAction(copy);
   bar_->setObjectName("statusProgress");
   bar_->setAccessibleName(tr("Progress"));
   bar_->setFixedWidth(160);
@@ -39,7 +48,7 @@ StatusLine::StatusLine(QWidget* parent)
   facts_->setObjectName("statusFacts");
   saved_->setObjectName("statusSaved");
   addWidget(icon_);
-  addWidget(message_);
+  addWidget(message_, 1);
   addWidget(bar_);
   addWidget(cancel_);
   addPermanentWidget(facts_);
@@ -105,7 +114,6 @@ void StatusLine::showMessage(const QString& message, bool problem) {
   messageIsProgress_ = false;
   icon_->setVisible(problem);
   message_->setText(message);
-  message_->setToolTip(message);
   message_->setAccessibleName(problem ? tr("Problem: %1").arg(message) : tr("Status: %1").arg(message));
 }
 

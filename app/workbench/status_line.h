@@ -9,6 +9,7 @@ class QToolButton;
 
 namespace graftsman {
 
+class ElidedLabel;
 struct Outcome;
 struct RunProgress;
 
@@ -39,7 +40,7 @@ class StatusLine : public QStatusBar {
   void showMessage(const QString& message, bool problem);
 
   QLabel* icon_ = nullptr;
-  QLabel* message_ = nullptr;
+  ElidedLabel* message_ = nullptr;
   QProgressBar* bar_ = nullptr;
   QToolButton* cancel_ = nullptr;
   QLabel* facts_ = nullptr;

@@ -69,7 +69,10 @@ void MainWindow::connectActions() {
   for (auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged}) {
     connect(model_->history(), signal, this, &MainWindow::showUndoTexts);
   }
-  connect(model_->history(), &QUndoStack::indexChanged, this, &MainWindow::enableActions);
+  connect(model_->history(), &QUndoStack::indexChanged, this, [this] {
+    status_->tell({});  // what it says was of the state before
+    enableActions();
+  });
 
   onTrigger(actions, "findAction", this, [this] { (new ActionFinder(*actions_, this))->open(); });
   onTrigger(actions, "shortcuts", this, [this] { (new ShortcutsDialog(*actions_, this))->open(); });
@@ -284,7 +287,9 @@ void MainWindow::enableActions() {
   enable("exportPicture", fused);
   enable("exportFrames", current);
   enable("fuseOnto", fusion.part && fusion.base);
-  enable("removeFusion", model_->document().fusions.size() > 1 || fusion.part || fusion.base);
+  const bool anything = model_->document().fusions.size() > 1 || fusion.part || fusion.base;
+  enable("removeFusion", anything);
+  enable("keepVariant", anything);
   enable("cancel", canCancel());
   (*actions_)["paperPaths"]->setChecked(fusion.inputs.paths == PathMode::Paper);
   (*actions_)["largeTile"]->setChecked(fusion.inputs.tile.allowLargeTile);

@@ -25,6 +25,7 @@ namespace {
 
 constexpr auto kLayoutKey = "window/layout";
 constexpr auto kGeometryKey = "window/geometry";
+constexpr auto kLowerDocksKey = "window/lowerDocks";
 constexpr auto kSuggestionsKey = "window/suggestions";
 constexpr auto kClosedByPerson = "closedByPerson";
 // Of saveState(): another number after a change of docks or bars.
@@ -100,11 +101,7 @@ void MainWindow::makeToolBar() {
 // The pairs belong to Tiles mode, the curve to Fusion mode; the other panels are in all modes, those that the
 // person closed in none; none is on the start page.
 void MainWindow::showDocksOf(Mode mode) {
-  for (const QDockWidget* upper : {pairsDock_, curveDock_}) {
-    if (docksShared_ && upper->isVisible() && !upper->isFloating()) {
-      lowerDocks_ = docksHeight() - upper->height();
-    }
-  }
+  lowerDocks_ = lowerDocks();
   docksShared_ = false;
   pairsDock_->setVisible(mode == Mode::Tiles);
   curveDock_->setVisible(mode == Mode::Fusion);
@@ -133,6 +130,15 @@ void MainWindow::shareDocks(Mode mode) {
               Qt::Vertical);
 }
 
+int MainWindow::lowerDocks() const {
+  for (const QDockWidget* upper : {pairsDock_, curveDock_}) {
+    if (docksShared_ && upper->isVisible() && !upper->isFloating()) {
+      return docksHeight() - upper->height();
+    }
+  }
+  return lowerDocks_;
+}
+
 int MainWindow::docksHeight() const {
   return pages_->height() - style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
 }
@@ -143,6 +149,7 @@ void MainWindow::restoreLayout() {
     resize(kFirstSize);
   }
   laidOut_ = restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
+  lowerDocks_ = settings.value(kLowerDocksKey, 0).toInt();
   const bool suggesting = settings.value(kSuggestionsKey, false).toBool();
   suggestions_->setVisible(suggesting);
   (*actions_)["suggestions"]->setChecked(suggesting);
@@ -152,6 +159,7 @@ void MainWindow::saveLayout() const {
   QSettings settings;
   settings.setValue(kGeometryKey, saveGeometry());
   settings.setValue(kLayoutKey, saveState(kLayoutVersion));
+  settings.setValue(kLowerDocksKey, lowerDocks());
   settings.setValue(kSuggestionsKey, !suggestions_->isHidden());
 }
 

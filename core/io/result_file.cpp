@@ -43,9 +43,9 @@ Result<void> makeFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder, error)) {
-    return fail(ErrorCode::FileUnwritable, printable(folder.string(), 400) +
-                                               ": is no folder and cannot be made one" +
-                                               (error ? ": " + error.message() : std::string(".")));
+    return fail(ErrorCode::FileUnwritable,
+                printable(folder.string(), 400) + ": is no folder and cannot be made one" +
+                    (error ? ": " + error.message() : std::string()) + ". Choose another.");
   }
   return {};
 }

@@ -32,7 +32,8 @@ struct LoadedProject {
   Project project;
   /// What was damaged and left out, one Error for each entry; the rest of the project is whole.
   std::vector<Error> damage;
-  /// All that makes results (meshes, loops, settings, curves) is as it was saved: no damage concerns it.
+  /// All that makes the fusions' results (meshes, loops, settings, curves) is as it was saved: no damage
+  /// concerns it, unless it is the variants'.
   bool fusionIntact = true;
 };
 

@@ -104,7 +104,12 @@ class ProjectReader {
     return fail(ErrorCode::FileMalformed, name_ + ": " + what);
   }
 
-  void lose(Error error) { loaded_.damage.push_back(std::move(error)); }
+  // Many variants may need the same mesh: it is told once.
+  void lose(Error error) {
+    if (std::ranges::find(loaded_.damage, error.message, &Error::message) == loaded_.damage.end()) {
+      loaded_.damage.push_back(std::move(error));
+    }
+  }
 
   // The same for what makes the result.
   void loseOfFusion(Error error) {
@@ -118,8 +123,9 @@ class ProjectReader {
     if (fusions.empty()) {
       return;
     }
-    const DocumentReader::Lose loseOf = [this](Error error, bool ofResult) {
-      ofResult ? loseOfFusion(std::move(error)) : lose(std::move(error));
+    bool inVariants = false;
+    const DocumentReader::Lose loseOf = [this, &inVariants](Error error, bool ofResult) {
+      ofResult && !inVariants ? loseOfFusion(std::move(error)) : lose(std::move(error));
     };
     const DocumentReader reader(
         [&](Side side, const json& fusion, const Progress& progress) {
@@ -129,6 +135,7 @@ class ProjectReader {
     Document& read = loaded_.project.document;
     read.fusions = reader.fusions(fusions, progress_.span(0, kMeshesShare));
     loaded_.project.shown = DocumentReader::shown(document, read.fusions);
+    inVariants = true;
     if (const json* variants = find(document, "variants")) {
       read.variants = reader.variants(*variants);
     }
@@ -153,6 +160,10 @@ class ProjectReader {
       if (const auto known = assets_.find(id); known != assets_.end()) {
         return known->second;
       }
+      if (const auto known = lostAssets_.find(id); known != lostAssets_.end()) {
+        loseOf(known->second, true);
+        return nullptr;
+      }
       const json& record = recordOf(id, meshes);
       auto read = std::make_shared<MeshAsset>();
       const std::string entry = string(demand(record, "entry", "a name"), "entry", "a name");
@@ -168,11 +179,15 @@ class ProjectReader {
       assets_[id] = read;
       return read;
     } catch (const Malformed& wrong) {
-      loseOf({ErrorCode::FileMalformed,
-              std::string("The ") + name(side) + "'s " + lost + " is damaged and was left out: " +
-                  wrong.what + (wrong.what.ends_with(".") ? " " : ". ") + remedy + ".",
-              side},
-             true);
+      const Error error = {ErrorCode::FileMalformed,
+                           std::string("The ") + name(side) + "'s " + lost +
+                               " is damaged and was left out: " + wrong.what +
+                               (wrong.what.ends_with(".") ? " " : ". ") + remedy + ".",
+                           side};
+      if (reference->is_number_integer()) {
+        lostAssets_.try_emplace(reference->get<Index>(), error);
+      }
+      loseOf(error, true);
     }
     return nullptr;
   }
@@ -355,6 +370,7 @@ class ProjectReader {
   LoadedProject loaded_;
   std::shared_ptr<ProjectRemains> remains_ = std::make_shared<ProjectRemains>();
   std::map<Index, std::shared_ptr<const MeshAsset>> assets_;           // by id
+  std::map<Index, Error> lostAssets_;                                  // by id
   std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes_;  // by entry
   std::set<Index> usedIds_;
   std::set<std::string> consumed_;  // names of entries that the document or the remains hold by now

@@ -215,6 +215,20 @@ class ProjectDamageTest : public QObject {
     QVERIFY(!fusionOf(loaded.project).base && fusionOf(loaded.project).part);
   }
 
+  void aMeshThatVariantsAloneNeedStopsNoFusionAndIsToldOnce() {
+    const Result<LoadedProject> loaded = parse(withDocument([](json& document) {
+      json fusions = document["fusions"];
+      for (json& fusion : fusions) {
+        fusion["base"] = 77;
+      }
+      document["variants"] = {{{"id", 4}, {"fusions", fusions}}, {{"id", 5}, {"fusions", fusions}}};
+    }));
+    QVERIFY(loaded && loaded->fusionIntact);
+    QCOMPARE(loaded->damage.size(), std::size_t{1});
+    QVERIFY(loaded->damage[0].message.find("no mesh number 77") != std::string::npos);
+    QCOMPARE(loaded->project.document.variants.size(), std::size_t{2});
+  }
+
   void aDamagedVariantCostsItAlone() {
     const Result<LoadedProject> loaded = parse(withDocument([](json& document) {
       const json variant = {{"id", 4}, {"fusions", document["fusions"]}};

@@ -309,6 +309,43 @@ class ActionsTest : public QObject {
     MainWindow again(folder.path());
     QCOMPARE(again.size(), QSize(1100, 700));
   }
+
+  void theDocksKeepTheirHeightsFromOneStartToTheNext() {
+    std::vector<int> heights;
+    for (int start = 0; start < 4; ++start) {
+      Workbench bench;
+      QVERIFY(bench.openSample("fig4c_cone_sphere"));
+      auto* curve = bench.window->findChild<QDockWidget*>("curveDock");
+      auto* adjustment = bench.window->findChild<QDockWidget*>("adjustmentDock");
+      if (start == 0) {
+        bench.window->resizeDocks({curve, adjustment}, {400, 300}, Qt::Vertical);
+      } else {
+        QTRY_VERIFY2(std::abs(curve->height() - heights.back()) < 8,
+                     qPrintable(QString("%1 %2").arg(curve->height()).arg(heights.back())));
+      }
+      QCoreApplication::processEvents();
+      heights.push_back(curve->height());
+      bench.window->close();
+    }
+    QVERIFY2(std::abs(heights.back() - heights.front()) < 8, qPrintable(QString::number(heights.back())));
+  }
+
+  void aLongMessageDoesNotWidenTheWindow() {
+    Workbench bench;
+    const QSize before = bench.window->size();
+    const QString name = QString(200, 'n') + ".graft";
+    const QString path = bench.folder.filePath(name);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("garbage");
+    file.close();
+    bench.window->openFile(path);
+    QVERIFY(bench.settle());
+    QVERIFY2(bench.status().contains(QString(100, 'n')), qPrintable(bench.status()));
+    QCoreApplication::processEvents();
+    QVERIFY(bench.window->minimumSizeHint().width() <= before.width());
+    QCOMPARE(bench.window->size(), before);
+  }
 };
 
 QTEST_MAIN(ActionsTest)

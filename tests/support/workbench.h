@@ -22,6 +22,7 @@
 #include "app/workbench/main_window.h"
 #include "core/io/scenario.h"
 #include "tests/support/samples.h"
+#include "widgets/panels/elided_label.h"
 #include "widgets/viewport/mesh_pane.h"
 #include "widgets/viewport/result_pane.h"
 
@@ -155,7 +156,7 @@ struct Workbench {
   }
 
   /// What the status bar says.
-  [[nodiscard]] QString status() const { return window->findChild<QLabel*>("statusMessage")->text(); }
+  [[nodiscard]] QString status() const { return window->findChild<ElidedLabel*>("statusMessage")->text(); }
 };
 
 }  // namespace graftsman

@@ -33,7 +33,9 @@ QSize ElidedLabel::minimumSizeHint() const {
 
 bool ElidedLabel::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
-    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), shownText() == text_ ? QString() : text_,
+    // Rich, so that it is wrapped.
+    const QString whole = QStringLiteral("<p>%1</p>").arg(text_.toHtmlEscaped());
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), shownText() == text_ ? QString() : whole,
                        this);
     return true;
   }
