@@ -73,8 +73,7 @@ void StageRunner::cancel() {
   }
   pending_.reset();
   if (!std::exchange(notified_, true)) {
-    QMetaObject::invokeMethod(
-        this, [this] { deliver(); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, "deliver", Qt::QueuedConnection);
   }
 }
 
@@ -102,8 +101,7 @@ void StageRunner::work() {
       outcome_ = std::move(outcome);
     }
     if (!std::exchange(notified_, true)) {
-      QMetaObject::invokeMethod(
-          this, [this] { deliver(); }, Qt::QueuedConnection);
+      QMetaObject::invokeMethod(this, "deliver", Qt::QueuedConnection);
     }
   }
 }
@@ -150,8 +148,7 @@ Progress StageRunner::progress() {
     const std::lock_guard lock(mutex_);
     progress_.done = done;
     if (!std::exchange(notified_, true)) {
-      QMetaObject::invokeMethod(
-          this, [this] { deliver(); }, Qt::QueuedConnection);
+      QMetaObject::invokeMethod(this, "deliver", Qt::QueuedConnection);
     }
     return !stop_;
   });

@@ -71,7 +71,8 @@ class StageRunner : public QObject {
   void work();
   [[nodiscard]] Outcome run(const Request& request);
   [[nodiscard]] Progress progress();
-  void deliver();
+  /// By its name, so that nothing of ours crosses the threads but what the mutex guards.
+  Q_INVOKABLE void deliver();
 
   // Shared with the worker, under the mutex.
   std::mutex mutex_;
