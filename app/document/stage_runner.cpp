@@ -72,9 +72,7 @@ void StageRunner::cancel() {
     outcome_ = Outcome{*find(pending_->fusions, pending_->id), {}, {}, {}, {}, true};
   }
   pending_.reset();
-  if (!std::exchange(notified_, true)) {
-    QMetaObject::invokeMethod(this, "deliver", Qt::QueuedConnection);
-  }
+  notify();
 }
 
 void StageRunner::work() {
@@ -100,9 +98,13 @@ void StageRunner::work() {
     if (!overtaken) {
       outcome_ = std::move(outcome);
     }
-    if (!std::exchange(notified_, true)) {
-      QMetaObject::invokeMethod(this, "deliver", Qt::QueuedConnection);
-    }
+    notify();
+  }
+}
+
+void StageRunner::notify() {
+  if (!std::exchange(notified_, true)) {
+    QMetaObject::invokeMethod(this, "deliver", Qt::QueuedConnection);
   }
 }
 
@@ -147,9 +149,7 @@ Progress StageRunner::progress() {
   return Progress([this](double done) {
     const std::lock_guard lock(mutex_);
     progress_.done = done;
-    if (!std::exchange(notified_, true)) {
-      QMetaObject::invokeMethod(this, "deliver", Qt::QueuedConnection);
-    }
+    notify();
     return !stop_;
   });
 }

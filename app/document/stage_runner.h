@@ -71,7 +71,9 @@ class StageRunner : public QObject {
   void work();
   [[nodiscard]] Outcome run(const Request& request);
   [[nodiscard]] Progress progress();
-  /// By its name, so that nothing of ours crosses the threads but what the mutex guards.
+  /// Asks for deliver(): by its name, so that nothing of ours crosses the threads but what the mutex guards.
+  /// Precondition: the mutex is held.
+  void notify();
   Q_INVOKABLE void deliver();
 
   // Shared with the worker, under the mutex.

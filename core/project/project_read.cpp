@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <map>
 #include <new>
@@ -106,15 +105,9 @@ class ProjectReader {
 
   // Many variants may need the same mesh: it is told once.
   void lose(Error error) {
-    if (std::ranges::find(loaded_.damage, error.message, &Error::message) == loaded_.damage.end()) {
+    if (told_.insert(error.message).second) {
       loaded_.damage.push_back(std::move(error));
     }
-  }
-
-  // The same for what makes the result.
-  void loseOfFusion(Error error) {
-    loaded_.fusionIntact = false;
-    lose(std::move(error));
   }
 
   void readDocument(const json& document) {
@@ -125,7 +118,8 @@ class ProjectReader {
     }
     bool inVariants = false;
     const DocumentReader::Lose loseOf = [this, &inVariants](Error error, bool ofResult) {
-      ofResult && !inVariants ? loseOfFusion(std::move(error)) : lose(std::move(error));
+      loaded_.fusionIntact = loaded_.fusionIntact && (!ofResult || inVariants);
+      lose(std::move(error));
     };
     const DocumentReader reader(
         [&](Side side, const json& fusion, const Progress& progress) {
@@ -153,10 +147,11 @@ class ProjectReader {
       result.result = DocumentReader::id(*reference, "result", std::numeric_limits<int>::max());
       return std::make_shared<const MeshAsset>(std::move(result));
     }
+    Index id = -1;
     std::string lost = "mesh";
     std::string remedy = "Load it again";
     try {
-      const Index id = index(*reference, name(side), "the number of a mesh");
+      id = index(*reference, name(side), "the number of a mesh");
       if (const auto known = assets_.find(id); known != assets_.end()) {
         return known->second;
       }
@@ -184,8 +179,8 @@ class ProjectReader {
                                " is damaged and was left out: " + wrong.what +
                                (wrong.what.ends_with(".") ? " " : ". ") + remedy + ".",
                            side};
-      if (reference->is_number_integer()) {
-        lostAssets_.try_emplace(reference->get<Index>(), error);
+      if (id >= 0) {
+        lostAssets_.try_emplace(id, error);
       }
       loseOf(error, true);
     }
@@ -352,9 +347,7 @@ class ProjectReader {
       }
     }
     for (json& record : document["meshes"]) {
-      const bool used =
-          std::any_of(usedIds_.begin(), usedIds_.end(), [&](Index id) { return hasId(record, id); });
-      if (!used) {
+      if (std::ranges::none_of(usedIds_, [&](Index id) { return hasId(record, id); })) {
         remains_->otherMeshes.push_back(std::move(record));
       }
     }
@@ -372,6 +365,7 @@ class ProjectReader {
   std::map<Index, std::shared_ptr<const MeshAsset>> assets_;           // by id
   std::map<Index, Error> lostAssets_;                                  // by id
   std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes_;  // by entry
+  std::set<std::string> told_;                                         // the messages of the damage
   std::set<Index> usedIds_;
   std::set<std::string> consumed_;  // names of entries that the document or the remains hold by now
 };

@@ -14,7 +14,7 @@ using namespace graftsman;
 
 namespace {
 
-constexpr Index kFine = 420;  // n×n vertices, 2n² faces: more than are always drawn
+constexpr Index kFine = 520;  // n×n vertices, 2n² faces: more than are always drawn
 
 struct Surface {
   std::vector<Eigen::Vector3f> positions;

@@ -14,8 +14,8 @@ struct CoarseFaces {
   std::vector<Index> sources;  // of each, a face of the surface in whose place it stands
 };
 
-/// Surfaces of no more faces are always drawn whole.
-inline constexpr std::size_t kManyDrawnFaces = 200'000;
+/// Surfaces of no more faces are always drawn whole. What has more must be made ready on a worker thread.
+inline constexpr std::size_t kManyDrawnFaces = 300'000;
 
 /// The cubes in which vertices are taken together. Surfaces that share it share their coarse faces.
 struct ClusterGrid {

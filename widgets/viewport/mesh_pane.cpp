@@ -10,6 +10,7 @@
 #include <new>
 
 #include "widgets/viewport/mesh_pane_content.h"
+#include "widgets/viewport/shading.h"
 
 namespace graftsman {
 namespace {
@@ -28,7 +29,8 @@ std::shared_ptr<const ShownMesh> makeShown(std::shared_ptr<const TriangleMesh> m
 
 DrawnTriangles makeTile(const Tile& tile, const Eigen::AlignedBox3d& box) {
   try {
-    return drawTriangles(TriangleMesh(tile.points, tile.faces), box);
+    const TriangleMesh mesh(tile.points, tile.faces);
+    return drawTriangles(mesh, shade(mesh), box);
   } catch (const std::bad_alloc&) {
     return {};
   }

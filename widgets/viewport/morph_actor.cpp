@@ -161,13 +161,11 @@ void SheetActor::setColours(const SheetColours& colours) {
   parts.mesh->GetCellData()->SetScalars(perFace ? array : nullptr);
   parts.coarse->GetPointData()->SetScalars(perVertex ? array : nullptr);
   parts.coarse->GetCellData()->SetScalars(perFace ? coarse : nullptr);
-  for (MorphMapper* mapper : {parts.mapper.Get(), parts.coarseMapper.Get()}) {
-    mapper->SetScalarVisibility(perVertex || perFace);
-    if (perFace) {
-      mapper->SetScalarModeToUseCellData();
-    } else {
-      mapper->SetScalarModeToUsePointData();
-    }
+  parts.mapper->SetScalarVisibility(perVertex || perFace);
+  if (perFace) {
+    parts.mapper->SetScalarModeToUseCellData();
+  } else {
+    parts.mapper->SetScalarModeToUsePointData();
   }
 }
 

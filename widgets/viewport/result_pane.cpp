@@ -17,8 +17,6 @@
 namespace graftsman {
 namespace {
 
-// Up to here a result is ready in a fraction of a frame or two; above, the window would be felt to stop.
-constexpr std::size_t kManyFaces = 300000;
 // One answer a frame is as often as it can be seen.
 constexpr int kHoverMilliseconds = 16;
 constexpr double kElsewhere = -1;
@@ -125,7 +123,7 @@ void ResultPane::setResults(std::shared_ptr<const FusionResults> results) {
   Content& content = *content_;
   const std::shared_ptr<const Join> join = results && results->fused ? results->join : nullptr;
   const bool sameShape = join && content.shown && content.shown->results->join == join;
-  if (!join || sameShape || join->faces.size() <= kManyFaces) {
+  if (!join || sameShape || join->faces.size() <= kManyDrawnFaces) {
     ++content.generation;
     content.next.reset();
   }
@@ -143,7 +141,7 @@ void ResultPane::setResults(std::shared_ptr<const FusionResults> results) {
     content.shown->results = std::move(results);
     followCurve();
     Q_EMIT resultsShown();
-  } else if (join->faces.size() <= kManyFaces) {
+  } else if (join->faces.size() <= kManyDrawnFaces) {
     present(std::make_shared<Shown>(std::move(results), content.curve));
   } else {
     content.next = std::move(results);

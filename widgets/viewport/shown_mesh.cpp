@@ -46,8 +46,8 @@ Eigen::Vector3d baryOf(const TriangleMesh& mesh, Index face, const Point& point)
 
 }  // namespace
 
-DrawnTriangles drawTriangles(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box) {
-  const Shading shading = shade(mesh);
+DrawnTriangles drawTriangles(const TriangleMesh& mesh, const Shading& shading,
+                             const Eigen::AlignedBox3d& box) {
   const auto count = static_cast<vtkIdType>(shading.meshVertices.size());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -76,7 +76,7 @@ DrawnTriangles drawTriangles(const TriangleMesh& mesh, const Eigen::AlignedBox3d
 ShownMesh::ShownMesh(std::shared_ptr<const TriangleMesh> mesh)
     : mesh_(std::move(mesh)),
       box_(boxOf(*mesh_)),
-      drawn_(drawTriangles(*mesh_, box_)),
+      drawn_(drawTriangles(*mesh_, shade(*mesh_), box_)),
       locator_(vtkSmartPointer<vtkStaticCellLocator>::New()) {
   locator_->SetDataSet(drawn_.all);
   locator_->BuildLocator();

@@ -14,6 +14,8 @@ class vtkStaticCellLocator;
 
 namespace graftsman {
 
+struct Shading;
+
 /// Where a ray meets a mesh.
 struct SurfaceHit {
   Index face = -1;
@@ -27,8 +29,10 @@ struct DrawnTriangles {
   vtkSmartPointer<vtkPolyData> few;  // for quick frames; null: there are not so many
 };
 
-/// `box` is divided for the few: two meshes that lie on each other share it. Made on any thread.
-[[nodiscard]] DrawnTriangles drawTriangles(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box);
+/// `shading`: of the mesh. `box` is divided for the few: two meshes that lie on each other share it. Made on
+/// any thread.
+[[nodiscard]] DrawnTriangles drawTriangles(const TriangleMesh& mesh, const Shading& shading,
+                                           const Eigen::AlignedBox3d& box);
 
 /// A mesh made ready to be drawn and picked from. Immutable; made on any thread.
 class ShownMesh {

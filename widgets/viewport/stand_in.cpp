@@ -39,6 +39,7 @@ void StandIn::replace() {
     return;
   }
   mapper_->SetScalarVisibility(actor_.GetMapper()->GetScalarVisibility());
+  mapper_->SetScalarMode(actor_.GetMapper()->GetScalarMode());
   standIn_->GetProperty()->DeepCopy(actor_.GetProperty());
   standIn_->GetProperty()->SetEdgeVisibility(false);  // they would be other edges
   standIn_->SetForceOpaque(actor_.GetForceOpaque());

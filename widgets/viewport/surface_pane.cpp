@@ -22,6 +22,7 @@
 #include "widgets/viewport/camera_view.h"
 #include "widgets/viewport/colouring_scale.h"
 #include "widgets/viewport/shading.h"
+#include "widgets/viewport/shown_mesh.h"
 #include "widgets/viewport/stand_in.h"
 #include "widgets/viewport/surface_between.h"
 #include "widgets/viewport/triangle_cells.h"
@@ -31,8 +32,7 @@ namespace graftsman {
 struct DrawnSurface {
   std::shared_ptr<const TriangleMesh> mesh;
   Shading shading;
-  vtkSmartPointer<vtkPolyData> data;
-  vtkSmartPointer<vtkPolyData> few;  // for quick frames; null: there are not so many
+  DrawnTriangles triangles;
 };
 
 struct DrawnBetween {
@@ -52,14 +52,6 @@ vtkSmartPointer<vtkFloatArray> normalsArray(std::size_t count) {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(static_cast<vtkIdType>(count));
-  return array;
-}
-
-vtkSmartPointer<vtkFloatArray> normalsArray(const std::vector<Eigen::Vector3f>& normals) {
-  auto array = normalsArray(normals.size());
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    array->SetTypedTuple(static_cast<vtkIdType>(i), normals[i].data());
-  }
   return array;
 }
 
@@ -90,23 +82,15 @@ std::shared_ptr<const DrawnSurface> drawSurface(std::shared_ptr<const TriangleMe
   auto drawn = std::make_shared<DrawnSurface>();
   drawn->mesh = std::move(mesh);
   drawn->shading = shade(*drawn->mesh);
-  const std::vector<Index>& vertices = drawn->shading.meshVertices;
-  const auto points = pointsArray(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    points->SetPoint(static_cast<vtkIdType>(i), drawn->mesh->point(vertices[i]).data());
-  }
-  drawn->data = vtkSmartPointer<vtkPolyData>::New();
-  drawn->data->SetPoints(points);
-  drawn->data->SetPolys(triangleCells(drawn->shading.faces));
-  drawn->data->GetPointData()->SetNormals(normalsArray(drawn->shading.normals));
+  drawn->triangles = drawTriangles(*drawn->mesh, drawn->shading, boxOf(*drawn->mesh));
   if (!distances.empty()) {
-    drawn->data->GetPointData()->SetScalars(distanceColours(drawn->shading, distances, range));
+    const auto colours = distanceColours(drawn->shading, distances, range);
+    for (vtkPolyData* data : {drawn->triangles.all.Get(), drawn->triangles.few.Get()}) {
+      if (data != nullptr) {
+        data->GetPointData()->SetScalars(colours);
+      }
+    }
   }
-  // What VTK would otherwise find lazily, on the thread that draws.
-  drawn->data->ComputeBounds();
-  drawn->data->BuildCells();
-  drawn->few = onSamePoints(*drawn->data, coarsen(*drawn->mesh, vertices, drawn->shading.normals,
-                                                  drawn->shading.faces, boxOf(*drawn->mesh)));
   return drawn;
 }
 
@@ -176,9 +160,10 @@ void SurfacePane::showSurface(std::shared_ptr<const DrawnSurface> surface) {
   content.surface = std::move(surface);
   content.actor->SetVisibility(content.surface != nullptr);
   if (content.surface) {
-    content.mapper->SetInputData(content.surface->data);
-    content.standIn.setInput(content.surface->few);
-    content.mapper->SetScalarVisibility(content.surface->data->GetPointData()->GetScalars() != nullptr);
+    const DrawnTriangles& triangles = content.surface->triangles;
+    content.mapper->SetInputData(triangles.all);
+    content.standIn.setInput(triangles.few);
+    content.mapper->SetScalarVisibility(triangles.all->GetPointData()->GetScalars() != nullptr);
     keepFramed();
   }
   renderLater();
